@@ -1,0 +1,2 @@
+//! The command nply.
+fn main() {}

@@ -1,0 +1,138 @@
+//! The helical angle, kept so that nothing is lost at either end nor at π/4.
+
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+use crate::DomainError;
+
+/// What π/4 and π/2 as doubles leave out.
+const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
+const FRAC_PI_2_REST: f64 = 6.123_233_995_736_766e-17;
+
+/// θ, the angle between the strand's tangent and the ply's axis (lay angle), with its complement, the pitch angle.
+///
+/// Built from either, so that a ply of nearly straight strands and one of nearly flat rings keep all their digits.
+/// θ = 0 up to, not including, π/2.
+///
+/// ```
+/// use nply::geometry::HelicalAngle;
+/// let angle = HelicalAngle::new(30_f64.to_radians())?;
+/// assert!((angle.sin() - 0.5).abs() < 1e-16);
+/// let flat = HelicalAngle::from_pitch_angle(1e-20)?; // rings, almost
+/// assert_eq!(flat.cos(), 1e-20);
+/// # Ok::<(), nply::DomainError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HelicalAngle {
+    helical: f64,
+    pitch: f64,
+    sin: f64,
+    cos: f64,
+    /// θ − π/4, from whichever angle was given, so that it is exact near zero
+    past_diagonal: f64,
+}
+
+impl HelicalAngle {
+    /// From θ in rad.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless 0 ≤ θ < π/2.
+    #[inline]
+    pub fn new(helical_angle: f64) -> Result<Self, DomainError> {
+        DomainError::check(
+            (0.0..=FRAC_PI_2).contains(&helical_angle), // the double nearest to π/2 lies below π/2
+            "helical_angle",
+            helical_angle,
+            "at least 0 and less than pi/2 (90 degrees)",
+        )?;
+        Ok(Self::steep(helical_angle))
+    }
+
+    /// From the pitch angle π/2 − θ in rad.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless 0 < π/2 − θ ≤ π/2.
+    #[inline]
+    pub fn from_pitch_angle(pitch_angle: f64) -> Result<Self, DomainError> {
+        DomainError::check(
+            pitch_angle > 0.0 && pitch_angle <= FRAC_PI_2,
+            "pitch_angle",
+            pitch_angle,
+            "greater than 0 and at most pi/2 (90 degrees)",
+        )?;
+        Ok(Self::flat(pitch_angle))
+    }
+
+    /// From tan θ ≥ 0, whose reciprocal is given too where it is known better.
+    pub(crate) fn from_tangent(tan: f64, cot: f64) -> Self {
+        if tan <= 1.0 { Self::steep(libm::atan(tan)) } else { Self::flat(libm::atan(cot)) }
+    }
+
+    /// θ already known to lie in [0, π/2): the strands stand steeply.
+    #[inline]
+    pub(crate) fn steep(helical: f64) -> Self {
+        let (sin, cos) = libm::sincos(helical);
+        Self {
+            helical,
+            pitch: (FRAC_PI_2 - helical) + FRAC_PI_2_REST,
+            sin,
+            cos,
+            past_diagonal: (helical - FRAC_PI_4) - FRAC_PI_4_REST,
+        }
+    }
+
+    /// π/2 − θ already known to lie in (0, π/2]: the strands lie flat.
+    #[inline]
+    pub(crate) fn flat(pitch: f64) -> Self {
+        let (cos, sin) = libm::sincos(pitch);
+        Self {
+            helical: (FRAC_PI_2 - pitch) + FRAC_PI_2_REST,
+            pitch,
+            sin,
+            cos,
+            past_diagonal: (FRAC_PI_4 - pitch) + FRAC_PI_4_REST,
+        }
+    }
+
+    /// θ in rad.
+    #[must_use]
+    pub const fn radians(self) -> f64 {
+        self.helical
+    }
+
+    /// θ in degrees.
+    #[must_use]
+    pub fn degrees(self) -> f64 {
+        if self.helical <= FRAC_PI_4 { self.helical.to_degrees() } else { 90.0 - self.pitch.to_degrees() }
+    }
+
+    /// π/2 − θ in rad.
+    #[must_use]
+    pub const fn pitch_angle(self) -> f64 {
+        self.pitch
+    }
+
+    /// sin θ.
+    #[must_use]
+    pub const fn sin(self) -> f64 {
+        self.sin
+    }
+
+    /// cos θ, never zero.
+    #[must_use]
+    pub const fn cos(self) -> f64 {
+        self.cos
+    }
+
+    /// tan θ.
+    #[must_use]
+    pub fn tan(self) -> f64 {
+        self.sin / self.cos
+    }
+
+    /// cos 2θ, to full relative precision near θ = π/4, where it vanishes.
+    #[inline]
+    #[must_use]
+    pub fn cos_double(self) -> f64 {
+        -libm::sin(2.0 * self.past_diagonal)
+    }
+}

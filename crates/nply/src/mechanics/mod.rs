@@ -1,0 +1,24 @@
+//! Section 3–6 of the paper: what the strands carry, and which shapes of the ply are in equilibrium.
+
+mod atlas;
+mod balance;
+mod displacement;
+mod energy;
+mod equilibrium;
+mod flexibility;
+mod load;
+mod ply;
+mod pressure;
+mod separation;
+mod stiffness;
+mod strand;
+mod twist;
+
+pub use balance::Balance;
+pub use energy::Energy;
+pub use equilibrium::Equilibrium;
+pub use load::Load;
+pub use ply::Ply;
+pub use stiffness::Stiffness;
+pub use strand::StrandResultant;
+pub use twist::Twist;

@@ -1,0 +1,60 @@
+//! What presses on a strand, (30), (37), (38), (41), (43), (48).
+
+use super::{Balance, Equilibrium};
+
+impl Equilibrium {
+    #[doc = include_str!("../equations/eq37.md")]
+    ///
+    /// p̂ r³/B: the resultant pressure were the whole load between strands radial.
+    #[must_use]
+    pub fn radial_pressure(&self) -> f64 {
+        let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
+        let n = f64::from(self.contact.strands());
+        let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
+        let m = self.load.moment;
+        s / (rho * rho) * (eps * (m / n - gamma * u3 * c) - s * s * s / rho)
+    }
+
+    #[doc = include_str!("../equations/eq30.md")]
+    ///
+    /// p r³/B, outward positive, all pressure on the strand together: negative where touching strands would have to
+    /// pull on each other.
+    #[must_use]
+    pub fn resultant_pressure(&self) -> f64 {
+        match self.balance {
+            Balance::Radial => self.radial_pressure(),
+            Balance::Contact => {
+                let rho = self.contact.radius_ratio();
+                self.external_pressure + rho * self.interstrand_pressure() * self.contact.one_minus_cos_beta()
+            }
+        }
+    }
+
+    #[doc = include_str!("../equations/eq38.md")]
+    ///
+    /// p₁ r³/B: the force per length with which each of the two neighbours presses, negative where they would have to
+    /// pull.
+    ///
+    /// ```
+    /// use nply::mechanics::{Load, Ply, Twist};
+    /// let yarn = Ply::new(2, 0.75)?;
+    /// let state = yarn.equilibria(Twist::Pretwist(-0.2), Load::NONE)?[0];
+    /// assert_eq!(state.interstrand_pressure(), state.resultant_pressure() / 2.0); // line contact, counted twice
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn interstrand_pressure(&self) -> f64 {
+        let rho = self.contact.radius_ratio();
+        match self.balance {
+            Balance::Radial => self.radial_pressure() / (rho * self.contact.one_minus_cos_beta()),
+            Balance::Contact => 0.5 * rho * (self.radial_pressure() - self.external_pressure),
+        }
+    }
+
+    /// Whether the neighbours would have to pull (p₁ < 0) to keep this shape: the ply has come apart, unless its
+    /// strands attract each other.
+    #[must_use]
+    pub fn is_separated(&self) -> bool {
+        self.interstrand_pressure() < 0.0
+    }
+}

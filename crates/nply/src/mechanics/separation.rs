@@ -1,0 +1,137 @@
+//! Where strands part: states with p = 0, and so p₁ = 0, the same in both balances.
+
+use super::atlas::{Atlas, Condition};
+use super::equilibrium::tamed;
+use super::{Equilibrium, Load, Ply, Twist};
+use crate::geometry::Contact;
+use crate::numerics::dual::Dual;
+use crate::{DomainError, Handedness};
+
+/// p = 0 and balance, the moment eliminated, (48): n sin²θ cos θ − εγ(r u₃) nρ sin θ + fρ² = 0, times cos²θ, for the
+/// weights (1, γ, εγφ̄a, f) when the pretwist is given and (1, 0, εγ r u₃, f) when the strand twist is.
+#[derive(Clone, Copy, Debug)]
+struct AtForce;
+
+impl Condition<4> for AtForce {
+    fn terms(&self, contact: &Contact) -> [Dual; 4] {
+        let at = contact.regular();
+        let n = f64::from(contact.strands());
+        let (s, c, radius) = (at.sin, at.cos, at.radius);
+        let bending = n * (s * s * c * c * c);
+        [bending, -bending, -(n * (radius * s * c)), radius * radius]
+    }
+}
+
+/// p = 0 by (37): n sin³θ + εγ(r u₃) nρ cos θ − εmρ = 0, times cos θ, for the weights (1, γ, εγφ̄a, εm) when the
+/// pretwist is given and (1, 0, εγ r u₃, εm) when the strand twist is.
+#[derive(Clone, Copy, Debug)]
+struct AtMoment;
+
+impl Condition<4> for AtMoment {
+    fn terms(&self, contact: &Contact) -> [Dual; 4] {
+        let at = contact.regular();
+        let n = f64::from(contact.strands());
+        let (s, c, radius) = (at.sin, at.cos, at.radius);
+        [n * (s * s * s * c), n * (s * c * c * c), n * (radius * c), -radius]
+    }
+}
+
+impl Ply {
+    /// Every state on the verge of separation (p = 0) under a given force; its moment is found.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the data are finite, or under an external pressure, which adds to p.
+    ///
+    /// ```
+    /// use nply::mechanics::{Ply, Twist};
+    /// // untwisted strands under compression open where the force is −n(1 − γ) sin²θ cos θ/ρ², (48)
+    /// let states = Ply::new(2, 0.5)?.separation_at_force(Twist::Pretwist(0.0), -0.2)?;
+    /// let angle = states[0].contact().angle();
+    /// assert!((angle.sin().powi(2) * angle.cos() - 0.2).abs() < 1e-15);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn separation_at_force(&self, twist: Twist, force: f64) -> Result<Vec<Equilibrium>, DomainError> {
+        self.separations(
+            twist,
+            Load { force, moment: 0.0 },
+            AtForce,
+            |_| force,
+            |state| Load { force, moment: state.separation_moment() },
+        )
+    }
+
+    /// Every state on the verge of separation (p = 0) under a given moment; its force is found.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the data are finite, or under an external pressure, which adds to p.
+    ///
+    /// ```
+    /// use nply::mechanics::{Ply, Twist};
+    /// let states = Ply::new(3, 0.75)?.separation_at_moment(Twist::Pretwist(-0.2), 0.1)?;
+    /// assert!(states.iter().all(|s| s.interstrand_pressure().abs() < 1e-15 && s.balance_residual().abs() < 1e-13));
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn separation_at_moment(&self, twist: Twist, moment: f64) -> Result<Vec<Equilibrium>, DomainError> {
+        self.separations(
+            twist,
+            Load { force: 0.0, moment },
+            AtMoment,
+            |eps| eps * moment,
+            |state| Load { force: state.separation_force(), moment },
+        )
+    }
+
+    fn separations(
+        &self,
+        twist: Twist,
+        given: Load,
+        condition: impl Condition<4>,
+        load_weight: impl Fn(f64) -> f64,
+        load: impl Fn(&Equilibrium) -> Load,
+    ) -> Result<Vec<Equilibrium>, DomainError> {
+        self.check(twist, given)?;
+        DomainError::check(
+            self.external_pressure() == 0.0,
+            "external_pressure",
+            self.external_pressure(),
+            "0 where separation is sought: it is the pressure between strands that vanishes there",
+        )?;
+        let gamma = self.stiffness_ratio();
+        let (love, held) = match twist {
+            Twist::Pretwist(pretwist) => (gamma, gamma * pretwist),
+            Twist::StrandTwist(strand_twist) => (0.0, gamma * strand_twist),
+        };
+        let atlas = Atlas::new(self.strands(), condition);
+        let mut states = Vec::new();
+        for handedness in Handedness::BOTH {
+            let eps = handedness.sign();
+            let mut angles = Vec::new();
+            atlas.solve(&tamed([1.0, love, eps * held, load_weight(eps)]), |at| angles.push(at));
+            angles.sort_by(|a, b| a.angle.radians().total_cmp(&b.angle.radians()));
+            for at in angles {
+                let mut state = self.state(at, handedness, twist, given);
+                state.load = load(&state);
+                states.push(state);
+            }
+        }
+        Ok(states)
+    }
+}
+
+impl Equilibrium {
+    /// The m at which p vanishes at this angle, hand and twist, by (37).
+    fn separation_moment(&self) -> f64 {
+        let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
+        let n = f64::from(self.contact.strands());
+        let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
+        n * (eps * s * s * s / rho + gamma * u3 * c)
+    }
+
+    /// The f that keeps this angle, hand and twist where p vanishes, by (48).
+    fn separation_force(&self) -> f64 {
+        let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
+        let n = f64::from(self.contact.strands());
+        let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
+        n * s * (eps * gamma * u3 - s * c / rho) / rho
+    }
+}

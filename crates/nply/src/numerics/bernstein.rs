@@ -1,0 +1,178 @@
+//! Polynomials of degree 11 on [0, 1] in Bernstein form, whose coefficients' signs bound the number of roots.
+//!
+//! Descartes' rule in this form: a polynomial has at most as many roots in (0, 1) as its coefficients change sign, and
+//! as many but for an even number. No change: no root. One change: exactly one root.
+
+/// Number of coefficients; the degree is one less.
+pub(crate) const ORDER: usize = 12;
+
+/// Coefficients b₀ … b₁₁; b₀ and b₁₁ are the values at the ends.
+pub(crate) type Bernstein = [f64; ORDER];
+
+/// Chebyshev–Lobatto points on [0, 1], (1 − cos(πi/11))/2; the ends are among them.
+pub(crate) const NODES: [f64; ORDER] = {
+    let half = [
+        0.0,
+        0.020_253_513_192_751_305,
+        0.079_373_233_584_409_4,
+        0.172_569_633_027_357_42,
+        0.292_292_493_499_056_8,
+        0.428_842_580_863_357_47,
+    ];
+    let mut nodes = [0.0; ORDER];
+    let mut i = 0;
+    while i < 6 {
+        nodes[i] = half[i];
+        nodes[ORDER - 1 - i] = 1.0 - half[i];
+        i += 1;
+    }
+    nodes
+};
+
+/// Binomial coefficients of degree 11.
+pub(crate) const BINOMIAL: Bernstein = [1.0, 11.0, 55.0, 165.0, 330.0, 462.0, 462.0, 330.0, 165.0, 55.0, 11.0, 1.0];
+
+/// Takes values on [`NODES`] to coefficients: the inverse of the matrix of basis polynomials at the nodes.
+const FIT: [[f64; ORDER]; ORDER] = inverse(basis_at_nodes());
+
+const fn basis_at_nodes() -> [[f64; ORDER]; ORDER] {
+    let mut matrix = [[0.0; ORDER]; ORDER];
+    let mut i = 0;
+    while i < ORDER {
+        let (t, u) = (NODES[i], NODES[ORDER - 1 - i]);
+        let mut j = 0;
+        while j < ORDER {
+            let mut product = BINOMIAL[j];
+            let mut k = 0;
+            while k < ORDER - 1 {
+                product *= if k < j { t } else { u };
+                k += 1;
+            }
+            matrix[i][j] = product;
+            j += 1;
+        }
+        i += 1;
+    }
+    matrix
+}
+
+/// Gauss and Jordan; the matrix is totally positive, so that no pivoting is needed.
+const fn inverse(mut a: [[f64; ORDER]; ORDER]) -> [[f64; ORDER]; ORDER] {
+    let mut b = [[0.0; ORDER]; ORDER];
+    let mut i = 0;
+    while i < ORDER {
+        b[i][i] = 1.0;
+        i += 1;
+    }
+    let mut p = 0;
+    while p < ORDER {
+        let pivot = 1.0 / a[p][p];
+        let mut j = 0;
+        while j < ORDER {
+            a[p][j] *= pivot;
+            b[p][j] *= pivot;
+            j += 1;
+        }
+        let mut i = 0;
+        while i < ORDER {
+            if i != p {
+                let factor = a[i][p];
+                let mut j = 0;
+                while j < ORDER {
+                    a[i][j] -= factor * a[p][j];
+                    b[i][j] -= factor * b[p][j];
+                    j += 1;
+                }
+            }
+            i += 1;
+        }
+        p += 1;
+    }
+    b
+}
+
+/// The polynomial through `values` at [`NODES`]; the end values are kept to the bit.
+pub(crate) fn fit(values: &Bernstein) -> Bernstein {
+    let mut coefficients = [0.0; ORDER];
+    for (coefficient, row) in coefficients.iter_mut().zip(&FIT) {
+        *coefficient = row.iter().zip(values).map(|(a, v)| a * v).sum();
+    }
+    coefficients[0] = values[0];
+    coefficients[ORDER - 1] = values[ORDER - 1];
+    coefficients
+}
+
+/// Value at t in [0, 1].
+pub(crate) fn value(b: &Bernstein, t: f64) -> f64 {
+    value_and_slope(b, t).0
+}
+
+/// Value and slope at t in [0, 1], from the end that is nearer: Horner's scheme in the odds t : (1 − t).
+#[inline]
+pub(crate) fn value_and_slope(b: &Bernstein, t: f64) -> (f64, f64) {
+    let low = t <= 0.5;
+    let (near, far) = if low { (t, 1.0 - t) } else { (1.0 - t, t) };
+    let odds = near / far;
+    let (mut p, mut dp) = (0.0, 0.0);
+    for k in (0..ORDER).rev() {
+        let i = if low { k } else { ORDER - 1 - k };
+        dp = dp * odds + p;
+        p = p * odds + BINOMIAL[i] * b[i];
+    }
+    let far2 = far * far;
+    let far4 = far2 * far2;
+    let far9 = far4 * far4 * far;
+    // value = far¹¹ p(odds); d odds/d near = 1/far², d far/d near = −1
+    let slope = far9 * (dp - 11.0 * far * p);
+    (far9 * far2 * p, if low { slope } else { -slope })
+}
+
+/// How often the signs change, at the least and at the most, when coefficients within `tolerance` of zero may have any
+/// sign. The ends are sure: zero counts as positive there.
+#[inline]
+pub(crate) fn sign_changes(b: &[f64], tolerance: f64) -> (usize, usize) {
+    let last = b.len() - 1;
+    let mut sure = b[0] >= 0.0; // the last sure sign
+    let (mut least, mut most) = (0, 0);
+    let mut unsure = 0; // coefficients of unknown sign since then
+    for (i, &value) in b.iter().enumerate().skip(1) {
+        if i < last && value.abs() <= tolerance {
+            unsure += 1;
+            continue;
+        }
+        let sign = value >= 0.0;
+        let changed = usize::from(sign != sure);
+        least += changed;
+        // k unknown signs between two sure ones: k + 1 places for a change, of the parity of the ends
+        most += if unsure % 2 == 0 { unsure + changed } else { unsure + 1 - changed };
+        (sure, unsure) = (sign, 0);
+    }
+    (least, most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fit_and_value_are_inverse() {
+        let f = |t: f64| 3.0 - t + 5.0 * t * t * t - 2.0 * t * t * t * t * t * t * t;
+        let b = fit(&NODES.map(f));
+        for i in 0..=50 {
+            let t = f64::from(i) / 50.0;
+            let (v, dv) = value_and_slope(&b, t);
+            let exact = -1.0 + 15.0 * t * t - 14.0 * t * t * t * t * t * t;
+            assert!((v - f(t)).abs() < 1e-13 && (dv - exact).abs() < 1e-12, "t = {t}: {v} {dv}");
+        }
+    }
+
+    #[test]
+    fn changes_of_unsure_signs() {
+        assert_eq!(sign_changes(&[1.0, 2.0, 3.0], 0.1), (0, 0));
+        assert_eq!(sign_changes(&[1.0, 0.01, -3.0], 0.1), (1, 1)); // wherever the unsure one falls
+        assert_eq!(sign_changes(&[1.0, 0.01, 3.0], 0.1), (0, 2));
+        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, -3.0], 0.1), (1, 3));
+        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, 3.0], 0.1), (0, 2));
+        assert_eq!(sign_changes(&[1e-9, 2.0, -1e-9], 0.1), (1, 1)); // the ends are sure
+    }
+}

@@ -1,0 +1,373 @@
+//! Every root of a linear combination of known functions on an interval, none missed and none twice.
+//!
+//! The functions are kept as polynomials (a [`Panel`]) with a bound on what the polynomials leave out, so that a
+//! combination costs a few products and its coefficients' signs tell how many roots there can be: none or one at once,
+//! nearly always. Where they do not decide, the derivative's signs may (monotone; one extremum, whose exact height then
+//! decides), and otherwise the panel is halved and fitted anew. Ends shared by two panels have one exact sign, zero
+//! counting as positive, so that a root on the border belongs to exactly one of them. Roots at coordinate 0 itself are
+//! divided out.
+
+use super::bernstein::{self, Bernstein, NODES, ORDER};
+use super::dual::Dual;
+
+/// K functions of one coordinate, with their slopes.
+pub(crate) trait Basis<const K: usize> {
+    /// The functions at `t`.
+    fn at(&self, t: f64) -> [Dual; K];
+}
+
+/// K functions between two coordinates, as polynomials.
+#[derive(Clone, Debug)]
+pub(crate) struct Panel<const K: usize> {
+    start: f64,
+    end: f64,
+    functions: [Bernstein; K],
+    /// how far each polynomial may be from its function
+    tolerance: [f64; K],
+    /// the slopes at the start, per unit of the coordinate
+    slopes: [f64; K],
+}
+
+/// A root, with the combination's slope there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Root {
+    pub(crate) at: f64,
+    pub(crate) slope: f64,
+    /// two roots that rounding cannot tell apart: the combination touches zero
+    pub(crate) double: bool,
+}
+
+/// Halvings after which a panel is narrower than rounding can tell apart.
+const DEEPEST: u32 = 44;
+
+impl<const K: usize> Panel<K> {
+    /// Fits the functions between `start` and `end`.
+    ///
+    /// The tolerance is four times the greatest difference at the eleven points midway between nodes, where the
+    /// interpolation error of a smooth function is near its greatest, and never below rounding.
+    pub(crate) fn fit(basis: &impl Basis<K>, start: f64, end: f64) -> Self {
+        let place = |node: f64| start + (end - start) * node;
+        let mut samples = [[0.0; ORDER]; K];
+        let mut slopes = [0.0; K];
+        for (i, &node) in NODES.iter().enumerate() {
+            let at = basis.at(if i + 1 == ORDER { end } else { place(node) });
+            for (k, dual) in at.iter().enumerate() {
+                samples[k][i] = dual.value;
+                if i == 0 {
+                    slopes[k] = dual.slope;
+                }
+            }
+        }
+        let functions = samples.map(|values| bernstein::fit(&values));
+        let mut tolerance = samples.map(|values| f64::EPSILON * values.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
+        for pair in NODES.windows(2) {
+            let node = 0.5 * (pair[0] + pair[1]);
+            for (k, dual) in basis.at(place(node)).iter().enumerate() {
+                tolerance[k] = tolerance[k].max((bernstein::value(&functions[k], node) - dual.value).abs());
+            }
+        }
+        Self { start, end, functions, tolerance: tolerance.map(|t| 4.0 * t), slopes }
+    }
+
+    /// Hands every root of Σ `weights[k]`·function k on this panel to `found`, in no order.
+    #[inline]
+    pub(crate) fn roots(&self, basis: &impl Basis<K>, weights: &[f64; K], found: &mut impl FnMut(Root)) {
+        self.search(basis, weights, found, DEEPEST);
+    }
+
+    fn search(&self, basis: &impl Basis<K>, weights: &[f64; K], found: &mut impl FnMut(Root), depth: u32) {
+        let mut b = [0.0; ORDER];
+        let mut tolerance = 0.0;
+        for ((function, error), weight) in self.functions.iter().zip(&self.tolerance).zip(weights) {
+            tolerance += error * weight.abs();
+            for (sum, coefficient) in b.iter_mut().zip(function) {
+                *sum += weight * coefficient;
+            }
+        }
+        if self.start == 0.0 && b[0].abs() <= self.rounding_at_start(weights) {
+            self.search_past_zero(basis, weights, &b, tolerance, found, depth);
+            return;
+        }
+        let (least, most) = bernstein::sign_changes(&b, tolerance);
+        if most == 0 {
+            return;
+        }
+        let here = Combination { basis, weights };
+        if most == 1 {
+            debug_assert_eq!(least, 1);
+            found(here.refine(self.start, self.end, b[0] >= 0.0, self.guess(&b)));
+        } else {
+            self.examine(&here, &b, tolerance, found, depth);
+        }
+    }
+
+    /// More than one root is possible: ask the derivative.
+    #[cold]
+    fn examine<B: Basis<K>>(
+        &self,
+        here: &Combination<'_, B, K>,
+        b: &Bernstein,
+        tolerance: f64,
+        found: &mut impl FnMut(Root),
+        depth: u32,
+    ) {
+        let (rises_from, rises_to) = (b[0] >= 0.0, b[ORDER - 1] >= 0.0);
+        let mut differences = [0.0; ORDER - 1];
+        for (difference, pair) in differences.iter_mut().zip(b.windows(2)) {
+            *difference = pair[1] - pair[0];
+        }
+        let ends_sure = differences[0].abs() > 2.0 * tolerance && differences[ORDER - 2].abs() > 2.0 * tolerance;
+        let (_, turns) = bernstein::sign_changes(&differences, 2.0 * tolerance);
+        if ends_sure && turns == 0 {
+            if rises_from != rises_to {
+                found(here.refine(self.start, self.end, rises_from, self.guess(b)));
+            }
+        } else if ends_sure && turns == 1 {
+            let top = here.extremum(self.start, self.end, differences[0] > 0.0);
+            here.around(top, self.start, self.end, rises_from, rises_to, found);
+        } else if depth > 0 {
+            let middle = 0.5 * (self.start + self.end);
+            Self::fit(here.basis, self.start, middle).search(here.basis, here.weights, found, depth - 1);
+            Self::fit(here.basis, middle, self.end).search(here.basis, here.weights, found, depth - 1);
+        } else {
+            // narrower than rounding: value, slope and curvature vanish together
+            let middle = 0.5 * (self.start + self.end);
+            here.around(middle, self.start, self.end, rises_from, rises_to, found);
+        }
+    }
+
+    /// The combination vanishes at coordinate 0: its roots elsewhere are those of the quotient by the coordinate.
+    #[cold]
+    fn search_past_zero(
+        &self,
+        basis: &impl Basis<K>,
+        weights: &[f64; K],
+        b: &Bernstein,
+        tolerance: f64,
+        found: &mut impl FnMut(Root),
+        depth: u32,
+    ) {
+        let here = Combination { basis, weights };
+        let slope: f64 = self.slopes.iter().zip(weights).map(|(s, w)| s * w).sum();
+        let size: f64 = self.slopes.iter().zip(weights).map(|(s, w)| (s * w).abs()).sum();
+        // where the slope vanishes too, the function itself tells its sign so close to 0 that nothing else counts
+        let rises_from =
+            if slope.abs() > 4.0 * f64::EPSILON * size { slope > 0.0 } else { here.at(1e-100).value >= 0.0 };
+        // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1)
+        let mut quotient = [0.0; ORDER - 1];
+        let mut sure = 0.0_f64;
+        for (i, c) in quotient.iter_mut().enumerate() {
+            let factor = (ORDER - 1) as f64 / (i + 1) as f64;
+            *c = factor * b[i + 1];
+            sure = sure.max(factor * tolerance);
+        }
+        quotient[0] = if rises_from { f64::MIN_POSITIVE } else { -f64::MIN_POSITIVE }; // only its sign is known
+        let (_, most) = bernstein::sign_changes(&quotient, sure);
+        if most == 0 {
+            return;
+        }
+        if most == 1 {
+            found(here.refine(self.start, self.end, rises_from, 0.5 * (self.start + self.end)));
+        } else if depth > 0 {
+            let middle = 0.5 * (self.start + self.end);
+            Self::fit(basis, self.start, middle).search(basis, weights, found, depth - 1);
+            Self::fit(basis, middle, self.end).search(basis, weights, found, depth - 1);
+        } else if rises_from != (b[ORDER - 1] >= 0.0) {
+            found(here.refine(self.start, self.end, rises_from, 0.5 * (self.start + self.end)));
+        }
+    }
+
+    /// What rounding may leave of a combination that vanishes at the start.
+    #[inline]
+    fn rounding_at_start(&self, weights: &[f64; K]) -> f64 {
+        let size: f64 = self.functions.iter().zip(weights).map(|(f, w)| (f[0] * w).abs()).sum();
+        4.0 * f64::EPSILON * size
+    }
+
+    /// The root of a polynomial with one change of sign: where the control polygon crosses, then two Newton steps.
+    #[inline]
+    fn guess(&self, b: &Bernstein) -> f64 {
+        let positive = b[0] >= 0.0;
+        let after = b.iter().position(|&value| (value >= 0.0) != positive).unwrap_or(ORDER - 1).max(1);
+        let (before, past) = (b[after - 1], b[after]);
+        let mut t = ((after - 1) as f64 + before / (before - past)) / (ORDER - 1) as f64;
+        for _ in 0..3 {
+            let (value, slope) = bernstein::value_and_slope(b, t);
+            let next = t - value / slope;
+            if !(0.0..=1.0).contains(&next) {
+                break;
+            }
+            t = next;
+        }
+        self.start + (self.end - self.start) * t
+    }
+}
+
+/// One combination, evaluated exactly.
+struct Combination<'a, B, const K: usize> {
+    basis: &'a B,
+    weights: &'a [f64; K],
+}
+
+impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
+    #[inline]
+    fn at(&self, t: f64) -> Dual {
+        let mut sum = Dual::new(0.0, 0.0);
+        for (function, &weight) in self.basis.at(t).iter().zip(self.weights) {
+            sum = sum + weight * *function;
+        }
+        sum
+    }
+
+    /// What rounding may make of the combination at `t`.
+    fn rounding(&self, t: f64) -> f64 {
+        let size: f64 = self.basis.at(t).iter().zip(self.weights).map(|(f, w)| (f.value * w).abs()).sum();
+        8.0 * f64::EPSILON * size
+    }
+
+    /// Newton's method between `low` and `high`, of which the combination is positive at `low` or at `high` alone.
+    ///
+    /// Ends when a step is so small that the next one, which squares it, is lost in rounding, or when the bracket is.
+    #[inline]
+    fn refine(&self, mut low: f64, mut high: f64, positive_low: bool, start: f64) -> Root {
+        const SETTLED: f64 = 3e-9;
+        const PATIENCE: u32 = 10; // Newton steps before every other one halves the bracket
+        let mut t = if start > low && start < high { start } else { between(low, high) };
+        let mut turn = 0;
+        loop {
+            let here = self.at(t);
+            if (here.value >= 0.0) == positive_low {
+                low = t;
+            } else {
+                high = t;
+            }
+            let next = t - here.value / here.slope;
+            if (next - t).abs() <= SETTLED * t && next >= low && next <= high {
+                return Root { at: next, slope: here.slope, double: false };
+            }
+            turn += 1;
+            let trusted = next > low && next < high && (turn < PATIENCE || turn % 2 == 0);
+            t = if trusted { next } else { between(low, high) };
+            if t <= low || t >= high {
+                return Root { at: t, slope: here.slope, double: false };
+            }
+        }
+    }
+
+    /// Where the slope vanishes, known to happen once between `low` and `high`.
+    fn extremum(&self, mut low: f64, mut high: f64, rises: bool) -> f64 {
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if (self.at(middle).slope > 0.0) == rises {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    /// The roots on either side of the only extremum, at `top`.
+    fn around(&self, top: f64, start: f64, end: f64, from: bool, to: bool, found: &mut impl FnMut(Root)) {
+        let height = self.at(top);
+        let above = height.value >= 0.0;
+        if from != to {
+            let (low, high) = if above == from { (top, end) } else { (start, top) };
+            found(self.refine(low, high, from, 0.5 * (low + high)));
+        } else if height.value.abs() <= self.rounding(top) {
+            found(Root { at: top, slope: height.slope, double: true });
+        } else if above != from {
+            found(self.refine(start, top, from, 0.5 * (start + top)));
+            found(self.refine(top, end, above, 0.5 * (top + end)));
+        }
+    }
+}
+
+/// A point between 0 ≤ `low` < `high`: in the middle, or midway in orders of magnitude where those differ.
+fn between(low: f64, high: f64) -> f64 {
+    if high > 4.0 * low && low < 1e-3 { libm::sqrt(low.max(1e-300) * high) } else { 0.5 * (low + high) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Powers 1, t, … t⁶, of which any polynomial is a combination.
+    struct Powers;
+
+    impl Basis<7> for Powers {
+        fn at(&self, t: f64) -> [Dual; 7] {
+            let x = Dual::new(t, 1.0);
+            let mut power = Dual::new(1.0, 0.0);
+            core::array::from_fn(|_| {
+                let this = power;
+                power = power * x;
+                this
+            })
+        }
+    }
+
+    /// Coefficients of Π (t − root).
+    fn with_roots(roots: &[f64]) -> [f64; 7] {
+        let mut c = [0.0; 7];
+        c[0] = 1.0;
+        for (degree, root) in roots.iter().enumerate() {
+            for k in (0..=degree + 1).rev() {
+                c[k] = if k > 0 { c[k - 1] } else { 0.0 } - root * c[k];
+            }
+        }
+        c
+    }
+
+    fn all(weights: &[f64; 7]) -> Vec<Root> {
+        let mut roots = Vec::new();
+        for i in 0..4 {
+            let (a, b) = (0.25 * f64::from(i), 0.25 * f64::from(i + 1));
+            Panel::fit(&Powers, a, b).roots(&Powers, weights, &mut |root| roots.push(root));
+        }
+        roots.sort_by(|a, b| a.at.total_cmp(&b.at));
+        roots
+    }
+
+    #[test]
+    fn none_missed_none_twice() {
+        for roots in [
+            vec![],
+            vec![0.3],
+            vec![0.25], // on a border
+            vec![0.25, 0.5, 0.75],
+            vec![0.4, 0.4000001],
+            vec![0.1, 0.10001, 0.9, 0.95],
+            vec![0.2, 0.7, 1.5, -0.3],
+            vec![1e-7, 0.6],
+            vec![0.31, 0.32, 0.33, 0.34, 0.35],
+        ] {
+            let got = all(&with_roots(&roots));
+            let mut inside: Vec<f64> = roots.iter().copied().filter(|r| (0.0..1.0).contains(r)).collect();
+            inside.sort_by(f64::total_cmp);
+            assert_eq!(got.len(), inside.len(), "{roots:?} gave {got:?}");
+            for (g, want) in got.iter().zip(&inside) {
+                assert!((g.at - want).abs() < 1e-8 && !g.double, "{roots:?} gave {got:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn touching_zero_is_one_double_root() {
+        let got = all(&with_roots(&[0.6, 0.6]));
+        assert!(got.len() == 1 && got[0].double && (got[0].at - 0.6).abs() < 1e-7, "{got:?}");
+        let got = all(&[0.36 + 1e-9, -1.2, 1.0, 0.0, 0.0, 0.0, 0.0]); // and misses it by 1e-9
+        assert!(got.is_empty(), "{got:?}");
+    }
+
+    #[test]
+    fn zero_itself_is_divided_out() {
+        let got = all(&with_roots(&[0.0, 0.0, 0.6])); // t²(t − 0.6)
+        assert!(got.len() == 1 && (got[0].at - 0.6).abs() < 1e-14, "{got:?}");
+        let got = all(&with_roots(&[0.0, 1e-12, 0.6]));
+        assert!(got.len() == 2 && (got[0].at / 1e-12 - 1.0).abs() < 1e-12, "{got:?}");
+    }
+}

@@ -1,0 +1,107 @@
+//! Kepler's equation in the form that contact takes: E + tan²θ sin E = λ, λ = 2π/n, 0 < E ≤ λ.
+//!
+//! E = π − z and λ = π − M turn it into z − e sin z = M with eccentricity e = tan²θ. The main branch has one root. A
+//! polynomial starts within 8e-6 of it (relative) and one correction of fourth order ends within rounding: no iteration.
+
+use core::f64::consts::PI;
+
+use super::kepler_starter::{LAST, MAIN, PITCHFORK, TALL};
+use super::series::one_minus_sinc;
+
+/// The root by the sine and cosine of its half, both to a few units in the last place, even where they vanish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct HalfAnomaly {
+    /// sin(E/2)
+    pub(crate) sin: f64,
+    /// cos(E/2); zero in line contact
+    pub(crate) cos: f64,
+    /// cos²(E/2)/(cos²θ + sin²θ cos E): finite at the pitchfork, where numerator and denominator vanish together
+    pub(crate) slope: f64,
+}
+
+/// Two strands in line contact: E = π.
+const LINE: HalfAnomaly = HalfAnomaly { sin: 1.0, cos: 0.0, slope: 0.0 };
+
+/// The main branch for `strands` ≥ 2 at the angle with sine `s` > 0 or 0 and cosine `c` > 0.
+///
+/// `cos_double` is cos 2θ, wanted to full relative precision near θ = π/4 when there are two strands; others ignore it.
+#[inline]
+pub(crate) fn main_branch(strands: u32, s: f64, c: f64, cos_double: f64) -> HalfAnomaly {
+    let w = c * c;
+    if strands > 2 {
+        let lambda = 2.0 * PI / f64::from(strands);
+        rising(start(strands, lambda, s, w), lambda, s, w)
+    } else if cos_double >= 0.0 {
+        LINE
+    } else if w < 0.25 {
+        rising(w * polynomial(&TALL, 8.0 * w - 1.0), PI, s, w)
+    } else {
+        pitchfork(s, w, -cos_double / (s * s))
+    }
+}
+
+/// Where the correction for n ≥ 3 begins.
+#[inline]
+fn start(strands: u32, lambda: f64, s: f64, w: f64) -> f64 {
+    if strands as usize <= LAST {
+        w * polynomial(&MAIN[strands as usize - 3], 2.0 * w - 1.0)
+    } else {
+        // sin E = E − E³/6 turned round to third order; λ < 1/2 leaves a relative error below 1e-4
+        let first = lambda * w;
+        let a = s * s * first * first / 6.0;
+        first * (1.0 + a * (1.0 + 3.0 * a))
+    }
+}
+
+/// One correction of fourth order in E on the rising part of E + e sin E, all terms multiplied by w = cos²θ.
+#[inline]
+fn rising(start: f64, lambda: f64, s: f64, w: f64) -> HalfAnomaly {
+    let ss = s * s;
+    let (sh, ch) = libm::sincos(0.5 * start);
+    let (sin_e, cos_e) = (2.0 * sh * ch, (ch - sh) * (ch + sh));
+    let residual = w * (lambda - start) - ss * sin_e;
+    let (sin, cos) = turn(sh, ch, 0.5 * inverse_series(residual, w + ss * cos_e, -ss * sin_e, -ss * cos_e));
+    HalfAnomaly { sin, cos, slope: cos * cos / (w + ss * (cos - sin) * (cos + sin)) }
+}
+
+/// Two strands just above π/4, in z = π − E, where z ≈ √(6μ) and μ = 1 − cot²θ.
+///
+/// The residual is z − e sin z = e z ((1 − sin z/z) − μ): both brackets are small together and neither has cancelled.
+#[inline]
+fn pitchfork(s: f64, w: f64, mu: f64) -> HalfAnomaly {
+    let z = libm::sqrt(mu) * polynomial(&PITCHFORK, 1.0 - 2.0 * mu);
+    let (sh, ch) = libm::sincos(0.5 * z); // sin(z/2) = cos(E/2)
+    // everything divided by e: v z − sin z = 0, v = 1 − μ = 1/e
+    let residual = z * (mu - one_minus_sinc(z));
+    let slope = 2.0 * sh * sh - mu; // v − cos z
+    let (cos, sin) = turn(sh, ch, 0.5 * inverse_series(residual, slope, 2.0 * sh * ch, (ch - sh) * (ch + sh)));
+    debug_assert!(w > 0.0);
+    HalfAnomaly { sin, cos, slope: cos * cos / (s * s * (2.0 * cos * cos - mu)) }
+}
+
+/// The step δ with f₁ δ + f₂ δ²/2 + f₃ δ³/6 = `residual`, by reversion: the error is of fourth order in δ.
+#[inline]
+fn inverse_series(residual: f64, f1: f64, f2: f64, f3: f64) -> f64 {
+    let d = residual / f1;
+    let (a2, a3) = (f2 / (2.0 * f1), f3 / (6.0 * f1));
+    d * (1.0 - d * (a2 - d * (2.0 * a2 * a2 - a3)))
+}
+
+/// (sin, cos) turned on by a small angle d, |d| < 1e-4: the first term left out is d⁴/24.
+#[inline]
+fn turn(sin: f64, cos: f64, d: f64) -> (f64, f64) {
+    let (even, odd) = (0.5 * d * d, d * (1.0 - d * d / 6.0));
+    (sin + (cos * odd - sin * even), cos - (sin * odd + cos * even))
+}
+
+/// Estrin's scheme: short chains instead of Horner's long one.
+#[inline]
+fn polynomial(a: &[f64; 13], u: f64) -> f64 {
+    let u2 = u * u;
+    let u4 = u2 * u2;
+    let u8 = u4 * u4;
+    let low = (a[0] + a[1] * u) + (a[2] + a[3] * u) * u2;
+    let middle = (a[4] + a[5] * u) + (a[6] + a[7] * u) * u2;
+    let high = (a[8] + a[9] * u) + (a[10] + a[11] * u) * u2;
+    (low + middle * u4) + (high + a[12] * u4) * u8
+}

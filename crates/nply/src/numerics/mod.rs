@@ -1,0 +1,8 @@
+//! Tools that know no physics: Kepler's equation, polynomials in Bernstein form, roots, dual numbers.
+
+pub(crate) mod bernstein;
+pub(crate) mod dual;
+pub(crate) mod isolate;
+pub(crate) mod kepler;
+mod kepler_starter;
+pub(crate) mod series;

@@ -1,0 +1,104 @@
+//! The golden tables of `authorities/`, row by row.
+
+mod common;
+
+use common::{Row, assert_relative, table};
+use nply::Handedness;
+use nply::geometry::{Contact, HelicalAngle};
+use nply::mechanics::{Balance, Equilibrium, Load, Ply, Twist};
+
+#[test]
+fn contact_geometry() {
+    for name in ["contact_geometry"] {
+        for row in table(name) {
+            // theta_deg is exact in the table; its nearest double in rad carries half a unit of its last place
+            let (n, degrees) = (row.strands(), row.number("theta_deg"));
+            let angle = if degrees <= 45.0 {
+                HelicalAngle::new(degrees.to_radians()).unwrap()
+            } else {
+                HelicalAngle::from_pitch_angle((90.0 - degrees).to_radians()).unwrap()
+            };
+            let contact = Contact::at_angle(n, angle).unwrap();
+            let at = |quantity: &str| format!("{quantity} at n = {n}, {degrees} deg");
+            assert_relative(contact.arclength_shift(), row.number("x"), 1e-13, &at("x"));
+            assert_relative(contact.radius_ratio(), row.number("rho"), 1e-13, &at("rho"));
+            assert_relative(contact.radius_ratio_slope(), row.number("drho_dtheta"), 1e-12, &at("drho_dtheta"));
+            let line = row.number("contact_helix_radius_over_r");
+            assert_relative(contact.contact_line_radius(), line, 1e-13, &at("contact line"));
+            assert_relative(contact.curvature(), row.number("curvature_times_r"), 1e-13, &at("curvature"));
+            assert_relative(contact.hole_radius(), row.number("hole_radius_over_r"), 1e-13, &at("hole"));
+        }
+    }
+}
+
+/// All states of a row's inputs, and which of them the rows of the table are.
+fn states(row: &Row, load: Load) -> Vec<Equilibrium> {
+    let balance = match row.text("balance") {
+        "radial" => Balance::Radial,
+        _ => Balance::Contact,
+    };
+    Ply::with_balance(row.strands(), row.number("gamma"), balance)
+        .unwrap()
+        .equilibria(Twist::Pretwist(row.number("pretwist")), load)
+        .unwrap()
+}
+
+fn handedness(row: &Row) -> Handedness {
+    if row.number("handedness") > 0.0 { Handedness::Right } else { Handedness::Left }
+}
+
+/// The state of a row: its hand, and its angle to 1e-11 rad.
+fn find(row: &Row, states: &[Equilibrium]) -> Equilibrium {
+    let angle = row.number("theta_deg").to_radians();
+    *states
+        .iter()
+        .find(|s| s.handedness() == handedness(row) && (s.contact().helical_angle() - angle).abs() < 1e-11)
+        .unwrap_or_else(|| panic!("no {} state at {angle} rad among {states:#?}", row.text("handedness")))
+}
+
+/// No state is missing and none is extra: as many states as rows with the same inputs.
+fn none_extra(rows: &[Row], inputs: &[&str], load: impl Fn(&Row) -> Load) {
+    let key = |row: &Row| inputs.iter().map(|i| row.text(i).to_owned()).collect::<Vec<_>>().join(",");
+    for row in rows {
+        let listed = rows.iter().filter(|other| key(other) == key(row)).count();
+        let found = states(row, load(row));
+        assert_eq!(found.len(), listed, "{}: {found:#?}", key(row));
+    }
+}
+
+#[test]
+fn balanced_plies() {
+    let rows = table("balanced_plies");
+    for row in &rows {
+        let state = find(row, &states(row, Load::NONE));
+        assert_relative(state.contact().radius_ratio(), row.number("rho"), 1e-11, "rho");
+        assert_relative(state.strand_twist(), row.number("r_u3"), 1e-11, "r_u3");
+        assert_relative(state.resultant_pressure(), row.number("p_r3_over_B"), 1e-11, "p");
+        assert_relative(state.interstrand_pressure(), row.number("p1_r3_over_B"), 1e-11, "p1");
+        assert_relative(state.balance_slope(), row.number("dG_dtheta"), 1e-10, "dG_dtheta");
+    }
+    none_extra(&rows, &["n", "gamma", "pretwist", "balance"], |_| Load::NONE);
+}
+
+#[test]
+fn loaded_plies() {
+    let rows = table("loaded_plies");
+    let load = |row: &Row| Load { force: row.number("f"), moment: row.number("m") };
+    for row in &rows {
+        let state = find(row, &states(row, load(row)));
+        assert_relative(state.contact().radius_ratio(), row.number("rho"), 1e-11, "rho");
+        assert_relative(state.resultant_pressure(), row.number("p_r3_over_B"), 1e-11, "p");
+    }
+    none_extra(&rows, &["n", "gamma", "pretwist", "balance", "f", "m"], load);
+}
+
+#[test]
+fn flexibility() {
+    for row in table("flexibility") {
+        let [[ff, fm], [mf, mm]] = find(&row, &states(&row, Load::NONE)).flexibility().unwrap();
+        assert_relative(ff, row.number("a_ddf_df"), 1e-10, "a_ddf_df");
+        assert_relative(fm, row.number("a_ddf_dm"), 1e-10, "a_ddf_dm");
+        assert_relative(mf, row.number("a_ddm_df"), 1e-10, "a_ddm_df");
+        assert_relative(mm, row.number("a_ddm_dm"), 1e-10, "a_ddm_dm");
+    }
+}
