@@ -62,11 +62,6 @@ impl HelicalAngle {
         Ok(Self::flat(pitch_angle))
     }
 
-    /// From tan θ ≥ 0, whose reciprocal is given too where it is known better.
-    pub(crate) fn from_tangent(tan: f64, cot: f64) -> Self {
-        if tan <= 1.0 { Self::steep(libm::atan(tan)) } else { Self::flat(libm::atan(cot)) }
-    }
-
     /// θ already known to lie in [0, π/2): the strands stand steeply.
     #[inline]
     pub(crate) fn steep(helical: f64) -> Self {

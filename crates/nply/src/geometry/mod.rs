@@ -1,8 +1,19 @@
 //! Section 2 of the paper: helices that touch, the curve along which they touch, the cut across the ply.
 
 mod angle;
+mod branch;
+mod centreline;
 mod contact;
+mod contact_line;
+mod densest_helix;
+mod lay;
+mod section;
 
 pub use angle::HelicalAngle;
+pub use branch::{Branch, BranchKind, branches};
+pub use centreline::{Centreline, FrenetFrame, Vector};
 pub use contact::Contact;
 pub(crate) use contact::check_strands;
+pub use contact_line::ContactLine;
+pub use densest_helix::DensestHelix;
+pub use section::Section;

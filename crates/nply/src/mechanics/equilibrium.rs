@@ -156,9 +156,9 @@ impl Ply {
     /// [`DomainError`] unless the twist, γ times the twist, and the loads are finite.
     ///
     /// ```
-    /// use nply::mechanics::{Load, Ply, Twist};
-    /// // Figure 8: each pretwist has two balanced angles, of opposite hands, on either side of 45° for n = 2
-    /// let states = Ply::new(2, 0.75)?.equilibria(Twist::Pretwist(-1.0), Load::NONE)?;
+    /// use nply::mechanics::{Balance, Load, Ply, Twist};
+    /// // Figure 8: in radial balance each pretwist has two balanced angles, of opposite hands, on either side of 45°
+    /// let states = Ply::with_balance(2, 0.75, Balance::Radial)?.equilibria(Twist::Pretwist(-1.0), Load::NONE)?;
     /// assert_eq!(states.len(), 2);
     /// assert!(states[0].contact().angle().degrees() < 45.0 && states[1].contact().angle().degrees() > 45.0);
     /// # Ok::<(), nply::DomainError>(())

@@ -9,6 +9,7 @@
 
 use super::bernstein::{self, Bernstein, NODES, ORDER};
 use super::dual::Dual;
+use super::root;
 
 /// K functions of one coordinate, with their slopes.
 pub(crate) trait Basis<const K: usize> {
@@ -225,33 +226,11 @@ impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
         8.0 * f64::EPSILON * size
     }
 
-    /// Newton's method between `low` and `high`, of which the combination is positive at `low` or at `high` alone.
-    ///
-    /// Ends when a step is so small that the next one, which squares it, is lost in rounding, or when the bracket is.
+    /// The root between `low` and `high`, of which the combination is positive at `low` or at `high` alone.
     #[inline]
-    fn refine(&self, mut low: f64, mut high: f64, positive_low: bool, start: f64) -> Root {
-        const SETTLED: f64 = 3e-9;
-        const PATIENCE: u32 = 10; // Newton steps before every other one halves the bracket
-        let mut t = if start > low && start < high { start } else { between(low, high) };
-        let mut turn = 0;
-        loop {
-            let here = self.at(t);
-            if (here.value >= 0.0) == positive_low {
-                low = t;
-            } else {
-                high = t;
-            }
-            let next = t - here.value / here.slope;
-            if (next - t).abs() <= SETTLED * t && next >= low && next <= high {
-                return Root { at: next, slope: here.slope, double: false };
-            }
-            turn += 1;
-            let trusted = next > low && next < high && (turn < PATIENCE || turn % 2 == 0);
-            t = if trusted { next } else { between(low, high) };
-            if t <= low || t >= high {
-                return Root { at: t, slope: here.slope, double: false };
-            }
-        }
+    fn refine(&self, low: f64, high: f64, positive_low: bool, start: f64) -> Root {
+        let (at, slope) = root::bracketed(|t| self.at(t), low, high, positive_low, start);
+        Root { at, slope, double: false }
     }
 
     /// Where the slope vanishes, known to happen once between `low` and `high`.
@@ -284,11 +263,6 @@ impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
             found(self.refine(top, end, above, 0.5 * (top + end)));
         }
     }
-}
-
-/// A point between 0 ≤ `low` < `high`: in the middle, or midway in orders of magnitude where those differ.
-fn between(low: f64, high: f64) -> f64 {
-    if high > 4.0 * low && low < 1e-3 { libm::sqrt(low.max(1e-300) * high) } else { 0.5 * (low + high) }
 }
 
 #[cfg(test)]

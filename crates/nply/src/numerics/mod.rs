@@ -5,4 +5,5 @@ pub(crate) mod dual;
 pub(crate) mod isolate;
 pub(crate) mod kepler;
 mod kepler_starter;
+pub(crate) mod root;
 pub(crate) mod series;
