@@ -33,6 +33,7 @@ impl std::error::Error for DomainError {}
 
 impl DomainError {
     /// Accepts `value` when `holds`; a comparison with NaN is false, so NaN is refused without being named.
+    #[inline]
     pub(crate) fn check(holds: bool, quantity: &'static str, value: f64, allowed: &'static str) -> Result<(), Self> {
         if holds { Ok(()) } else { Err(Self { quantity, value, allowed }) }
     }

@@ -3,6 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use crate::DomainError;
+use crate::numerics::quadrant::sincos;
 
 /// What π/4 and π/2 as doubles leave out.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
@@ -65,7 +66,7 @@ impl HelicalAngle {
     /// θ already known to lie in [0, π/2): the strands stand steeply.
     #[inline]
     pub(crate) fn steep(helical: f64) -> Self {
-        let (sin, cos) = libm::sincos(helical);
+        let (sin, cos) = sincos(helical);
         Self {
             helical,
             pitch: (FRAC_PI_2 - helical) + FRAC_PI_2_REST,
@@ -78,7 +79,7 @@ impl HelicalAngle {
     /// π/2 − θ already known to lie in (0, π/2]: the strands lie flat.
     #[inline]
     pub(crate) fn flat(pitch: f64) -> Self {
-        let (cos, sin) = libm::sincos(pitch);
+        let (cos, sin) = sincos(pitch);
         Self {
             helical: (FRAC_PI_2 - pitch) + FRAC_PI_2_REST,
             pitch,

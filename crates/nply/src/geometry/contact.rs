@@ -32,6 +32,7 @@ pub struct Contact {
 }
 
 /// The least number of strands that can touch a neighbour.
+#[inline]
 pub(crate) fn check_strands(strands: u32) -> Result<(), DomainError> {
     DomainError::check(strands >= 2, "strands", f64::from(strands), "a whole number of at least 2")
 }
@@ -41,6 +42,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`DomainError`] on `strands` or `helical_angle`.
+    #[inline]
     pub fn new(strands: u32, helical_angle: f64) -> Result<Self, DomainError> {
         check_strands(strands)?;
         Ok(Self::at(strands, HelicalAngle::new(helical_angle)?))
@@ -50,13 +52,14 @@ impl Contact {
     ///
     /// # Errors
     /// [`DomainError`] on `strands`.
+    #[inline]
     pub fn at_angle(strands: u32, angle: HelicalAngle) -> Result<Self, DomainError> {
         check_strands(strands)?;
         Ok(Self::at(strands, angle))
     }
 
     /// As [`at_angle`](Self::at_angle), for strands known to be at least two.
-    #[inline]
+    #[inline(always)] // the angle and the contact stay in registers
     pub(crate) fn at(strands: u32, angle: HelicalAngle) -> Self {
         let (s, c) = (angle.sin(), angle.cos());
         let cos_double = if strands == 2 { angle.cos_double() } else { 0.0 };
@@ -163,7 +166,7 @@ impl Contact {
 
     /// d cos²(E/2)/dθ.
     fn cos_squared_slope(&self) -> f64 {
-        4.0 * self.angle.tan() * self.half.sin * self.half.sin * self.half.slope
+        4.0 * self.angle.tan() * self.half.sin * self.half.sin * self.half.share_of_slope()
     }
 
     /// Curvature of the centreline r κ = sin²θ/ρ, dimensionless; at most 1 where the tube does not fold on itself.
@@ -247,7 +250,7 @@ impl Contact {
             sin: Dual::new(s, c),
             cos: Dual::new(c, -s),
             radius: Dual::new(radius, -0.5 * turn * radius),
-            share: Dual::new(share, turn * (2.0 * self.half.slope / gap + share)),
+            share: Dual::new(share, turn * (2.0 * self.half.share_of_slope() / gap + share)),
         }
     }
 }

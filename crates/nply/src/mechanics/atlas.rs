@@ -2,9 +2,10 @@
 
 use core::f64::consts::FRAC_PI_4;
 
+use crate::Handedness;
 use crate::geometry::{Contact, HelicalAngle};
 use crate::numerics::dual::Dual;
-use crate::numerics::isolate::{Basis, Panel};
+use crate::numerics::isolate::{Basis, Pair, Panel};
 
 /// A condition on states of the branch, linear in K weights: Σ weight·term = 0.
 ///
@@ -68,14 +69,17 @@ impl<C: Condition<K>, const K: usize> Atlas<C, K> {
         Self { strands, condition, steep: half(false), flat: half(true) }
     }
 
-    /// Hands every solution in (0, π/2) to `found`, none missed and none twice (see [`crate::numerics::isolate`]).
+    /// Hands every solution in (0, π/2) for either hand to `found`, none missed and none twice (see
+    /// [`crate::numerics::isolate`]); the weights' odd part carries ε.
     #[inline]
-    pub(crate) fn solve(&self, weights: &[f64; K], mut found: impl FnMut(Solution)) {
+    pub(crate) fn solve(&self, weights: Pair<K>, mut found: impl FnMut(Handedness, Solution)) {
+        let weights = weights.tamed();
         for (panels, flat) in [(&self.steep, false), (&self.flat, true)] {
             let chart = Chart { strands: self.strands, condition: self.condition, flat };
             for panel in panels {
-                panel.roots(&chart, weights, &mut |root| {
-                    found(Solution { angle: chart.angle(root.at), double: root.double });
+                panel.roots(&chart, &weights, &mut |side, root| {
+                    let handedness = if side > 0.0 { Handedness::Right } else { Handedness::Left };
+                    found(handedness, Solution { angle: chart.angle(root.at), double: root.double });
                 });
             }
         }

@@ -24,15 +24,7 @@ impl Energy {
 }
 
 impl Equilibrium {
-    #[doc = include_str!("../equations/eq52.md")]
-    ///
-    #[doc = include_str!("../equations/eq53.md")]
-    ///
-    #[doc = include_str!("../equations/eq54.md")]
-    ///
-    #[doc = include_str!("../equations/eq55.md")]
-    ///
-    #[doc = include_str!("../equations/eq56.md")]
+    #[doc = include_str!("../equations/eq52_56.md")]
     ///
     /// ```
     /// use nply::mechanics::{Load, Ply, Twist};

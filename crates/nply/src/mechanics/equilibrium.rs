@@ -5,6 +5,7 @@ use super::balance::Pressurised;
 use super::{Balance, Load, Ply, Twist};
 use crate::geometry::{Contact, HelicalAngle};
 use crate::numerics::dual::Dual;
+use crate::numerics::isolate::Pair;
 use crate::{DomainError, Handedness};
 
 /// A state of the uniform ply in equilibrium: geometry, hand, twist and loads, everything else follows.
@@ -95,10 +96,10 @@ impl Equilibrium {
 
     /// The balance cos²θ·G, zero in equilibrium, with its slope dθ along the branch at the given loads and twist.
     pub(super) fn scaled_balance(&self) -> Dual {
-        let weights = weights(self.stiffness_ratio, self.twist, self.load, self.handedness);
+        let Pair { even, odd } = weights(self.stiffness_ratio, self.twist, self.load);
         let mut sum = Dual::new(0.0, 0.0);
-        for (term, weight) in self.balance.terms(&self.contact).iter().zip(weights) {
-            sum = sum + weight * *term;
+        for (k, term) in self.balance.terms(&self.contact).iter().enumerate() {
+            sum = sum + (even[k] + self.handedness.sign() * odd[k]) * *term;
         }
         if self.external_pressure != 0.0 {
             let at = self.contact.regular();
@@ -126,20 +127,22 @@ impl Equilibrium {
     }
 }
 
-/// The weights of a balance's five terms.
-fn weights(gamma: f64, twist: Twist, load: Load, handedness: Handedness) -> [f64; 5] {
-    let eps = handedness.sign();
-    let (love, held) = match twist {
-        Twist::Pretwist(pretwist) => (gamma, gamma * pretwist),
-        Twist::StrandTwist(strand_twist) => (0.0, gamma * strand_twist),
-    };
-    [1.0, love, eps * held, load.force, eps * load.moment]
+impl Equilibrium {
+    /// Right-handed first, then by angle; a fold on the border of two panels, seen from both, is kept once.
+    pub(super) fn sort(states: &mut Vec<Self>) {
+        let angle = |s: &Self| s.contact.helical_angle();
+        states.sort_by(|a, b| {
+            let left = |s: &Self| s.handedness == Handedness::Left;
+            left(a).cmp(&left(b)).then(angle(a).total_cmp(&angle(b)))
+        });
+        states.dedup_by(|b, a| a.fold && b.fold && a.handedness == b.handedness && angle(b) - angle(a) < 1e-7);
+    }
 }
 
-/// Weights of one size, so that no sum of terms overflows.
-pub(super) fn tamed<const K: usize>(weights: [f64; K]) -> [f64; K] {
-    let largest = weights.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
-    if largest > 1e100 { weights.map(|w| w / largest) } else { weights }
+/// The weights of a balance's five terms, (1, γ, εγφ̄a, f, εm) or (1, 0, εγ r u₃, f, εm), as even and odd in ε.
+fn weights(gamma: f64, twist: Twist, load: Load) -> Pair<5> {
+    let (love, held) = twist.weights(gamma);
+    Pair { even: [1.0, love, 0.0, load.force, 0.0], odd: [0.0, 0.0, held, 0.0, load.moment] }
 }
 
 impl Ply {
@@ -166,18 +169,7 @@ impl Ply {
     pub fn equilibria(&self, twist: Twist, load: Load) -> Result<Vec<Equilibrium>, DomainError> {
         let mut states = Vec::with_capacity(4);
         self.each_equilibrium(twist, load, |state| states.push(state))?;
-        let order = |s: &Equilibrium| (s.handedness != Handedness::Right, s.contact.helical_angle());
-        states.sort_by(|a, b| {
-            let (a, b) = (order(a), order(b));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        });
-        states.dedup_by(|b, a| {
-            // a fold on the border of two panels may be seen from both
-            a.fold
-                && b.fold
-                && a.handedness == b.handedness
-                && b.contact.helical_angle() - a.contact.helical_angle() < 1e-7
-        });
+        Equilibrium::sort(&mut states);
         Ok(states)
     }
 
@@ -193,18 +185,14 @@ impl Ply {
         mut found: impl FnMut(Equilibrium),
     ) -> Result<(), DomainError> {
         self.check(twist, load)?;
-        if self.external_pressure() != 0.0 {
-            let atlas = Atlas::new(self.strands(), Pressurised);
-            for handedness in Handedness::BOTH {
-                let [w0, w1, w2, w3, w4] = weights(self.stiffness_ratio(), twist, load, handedness);
-                let all = tamed([w0, w1, w2, w3, w4, self.external_pressure()]);
-                atlas.solve(&all, |at| found(self.state(at, handedness, twist, load)));
-            }
-            return Ok(());
-        }
-        for handedness in Handedness::BOTH {
-            let all = tamed(weights(self.stiffness_ratio(), twist, load, handedness));
-            self.atlas().solve(&all, |at| found(self.state(at, handedness, twist, load)));
+        let weights = weights(self.stiffness_ratio(), twist, load);
+        let state = |handedness, at| found(self.state(at, handedness, twist, load));
+        if self.external_pressure() == 0.0 {
+            self.atlas().solve(weights, state);
+        } else {
+            let ([e0, e1, e2, e3, e4], [o0, o1, o2, o3, o4]) = (weights.even, weights.odd);
+            let pressed = Pair { even: [e0, e1, e2, e3, e4, self.external_pressure()], odd: [o0, o1, o2, o3, o4, 0.0] };
+            Atlas::new(self.strands(), Pressurised).solve(pressed, state);
         }
         Ok(())
     }

@@ -1,11 +1,11 @@
 //! Where strands part: states with p = 0, and so p₁ = 0, the same in both balances.
 
 use super::atlas::{Atlas, Condition};
-use super::equilibrium::tamed;
 use super::{Equilibrium, Load, Ply, Twist};
+use crate::DomainError;
 use crate::geometry::Contact;
 use crate::numerics::dual::Dual;
-use crate::{DomainError, Handedness};
+use crate::numerics::isolate::Pair;
 
 /// p = 0 and balance, the moment eliminated, (48): n sin²θ cos θ − εγ(r u₃) nρ sin θ + fρ² = 0, times cos²θ, for the
 /// weights (1, γ, εγφ̄a, f) when the pretwist is given and (1, 0, εγ r u₃, f) when the strand twist is.
@@ -55,7 +55,7 @@ impl Ply {
             twist,
             Load { force, moment: 0.0 },
             AtForce,
-            |_| force,
+            |love, held| Pair { even: [1.0, love, 0.0, force], odd: [0.0, 0.0, held, 0.0] },
             |state| Load { force, moment: state.separation_moment() },
         )
     }
@@ -76,7 +76,7 @@ impl Ply {
             twist,
             Load { force: 0.0, moment },
             AtMoment,
-            |eps| eps * moment,
+            |love, held| Pair { even: [1.0, love, 0.0, 0.0], odd: [0.0, 0.0, held, moment] },
             |state| Load { force: state.separation_force(), moment },
         )
     }
@@ -86,7 +86,7 @@ impl Ply {
         twist: Twist,
         given: Load,
         condition: impl Condition<4>,
-        load_weight: impl Fn(f64) -> f64,
+        weights: impl Fn(f64, f64) -> Pair<4>,
         load: impl Fn(&Equilibrium) -> Load,
     ) -> Result<Vec<Equilibrium>, DomainError> {
         self.check(twist, given)?;
@@ -96,24 +96,14 @@ impl Ply {
             self.external_pressure(),
             "0 where separation is sought: it is the pressure between strands that vanishes there",
         )?;
-        let gamma = self.stiffness_ratio();
-        let (love, held) = match twist {
-            Twist::Pretwist(pretwist) => (gamma, gamma * pretwist),
-            Twist::StrandTwist(strand_twist) => (0.0, gamma * strand_twist),
-        };
-        let atlas = Atlas::new(self.strands(), condition);
+        let (love, held) = twist.weights(self.stiffness_ratio());
         let mut states = Vec::new();
-        for handedness in Handedness::BOTH {
-            let eps = handedness.sign();
-            let mut angles = Vec::new();
-            atlas.solve(&tamed([1.0, love, eps * held, load_weight(eps)]), |at| angles.push(at));
-            angles.sort_by(|a, b| a.angle.radians().total_cmp(&b.angle.radians()));
-            for at in angles {
-                let mut state = self.state(at, handedness, twist, given);
-                state.load = load(&state);
-                states.push(state);
-            }
-        }
+        Atlas::new(self.strands(), condition).solve(weights(love, held), |handedness, at| {
+            let mut state = self.state(at, handedness, twist, given);
+            state.load = load(&state);
+            states.push(state);
+        });
+        Equilibrium::sort(&mut states);
         Ok(states)
     }
 }

@@ -25,13 +25,7 @@ impl Equilibrium {
         self.handedness.sign() * self.contact.angle().tan() / self.contact.radius_ratio()
     }
 
-    #[doc = include_str!("../equations/eq72.md")]
-    ///
-    #[doc = include_str!("../equations/eq73.md")]
-    ///
-    #[doc = include_str!("../equations/eq74.md")]
-    ///
-    #[doc = include_str!("../equations/eq75.md")]
+    #[doc = include_str!("../equations/eq72_75.md")]
     ///
     /// About this state, loaded or not, at the held [`twist`](Self::twist), with the whole derivative of the ply's twist
     /// (ρ′ kept). `None` at a fold, where they vanish together, and for straight strands.

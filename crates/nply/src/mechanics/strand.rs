@@ -17,11 +17,7 @@ pub struct StrandResultant {
 }
 
 impl Equilibrium {
-    #[doc = include_str!("../equations/eq34.md")]
-    ///
-    #[doc = include_str!("../equations/eq35.md")]
-    ///
-    #[doc = include_str!("../equations/eq36.md")]
+    #[doc = include_str!("../equations/eq34_36.md")]
     ///
     /// ```
     /// use nply::mechanics::{Load, Ply, Twist};

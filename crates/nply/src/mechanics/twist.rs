@@ -16,3 +16,13 @@ pub enum Twist {
     /// r u₃, (22), (27): the twist of the strands in the ply itself, as under a prescribed twisting moment.
     StrandTwist(f64),
 }
+
+impl Twist {
+    /// γ r u₃ = `love`·sin θ cos θ/ρ·ε + `held`, (45): γ times the pretwist and Love's torsion, or the strand twist alone.
+    pub(super) fn weights(self, gamma: f64) -> (f64, f64) {
+        match self {
+            Self::Pretwist(pretwist) => (gamma, gamma * pretwist),
+            Self::StrandTwist(strand_twist) => (0.0, gamma * strand_twist),
+        }
+    }
+}

@@ -104,36 +104,77 @@ pub(crate) fn fit(values: &Bernstein) -> Bernstein {
 
 /// Value at t in [0, 1].
 pub(crate) fn value(b: &Bernstein, t: f64) -> f64 {
-    value_and_slope(b, t).0
-}
-
-/// Value and slope at t in [0, 1], from the end that is nearer: Horner's scheme in the odds t : (1 − t).
-#[inline]
-pub(crate) fn value_and_slope(b: &Bernstein, t: f64) -> (f64, f64) {
-    let low = t <= 0.5;
-    let (near, far) = if low { (t, 1.0 - t) } else { (1.0 - t, t) };
-    let odds = near / far;
-    let (mut p, mut dp) = (0.0, 0.0);
-    for k in (0..ORDER).rev() {
-        let i = if low { k } else { ORDER - 1 - k };
-        dp = dp * odds + p;
-        p = p * odds + BINOMIAL[i] * b[i];
-    }
+    let (odds, far) = odds(t);
+    let [value, _, _] = horner(&toward(b, t), odds);
     let far2 = far * far;
     let far4 = far2 * far2;
-    let far9 = far4 * far4 * far;
-    // value = far¹¹ p(odds); d odds/d near = 1/far², d far/d near = −1
-    let slope = far9 * (dp - 11.0 * far * p);
-    (far9 * far2 * p, if low { slope } else { -slope })
+    value * (far4 * far4 * far2 * far)
 }
 
-/// How often the signs change, at the least and at the most, when coefficients within `tolerance` of zero may have any
-/// sign. The ends are sure: zero counts as positive there.
+/// A root's guess t in (0, 1) after two of Halley's steps, if they stay inside.
 #[inline]
-pub(crate) fn sign_changes(b: &[f64], tolerance: f64) -> (usize, usize) {
+pub(crate) fn polish(b: &Bernstein, t: f64) -> f64 {
+    // in the odds t : (1 − t) from the nearer end, where the coefficients are those of a plain polynomial
+    let plain = toward(b, t);
+    let (mut odds, _) = odds(t);
+    for _ in 0..2 {
+        let [p, dp, half_d2p] = horner(&plain, odds);
+        odds -= p * dp / (dp * dp - p * half_d2p);
+    }
+    let share = odds / (1.0 + odds);
+    match (share > 0.0 && share < 1.0, t <= 0.5) {
+        (true, true) => share,
+        (true, false) => 1.0 - share,
+        (false, _) => t,
+    }
+}
+
+/// The odds of t from the nearer end of [0, 1], at most 1, and how far the other end is.
+#[inline]
+fn odds(t: f64) -> (f64, f64) {
+    if t <= 0.5 { (t / (1.0 - t), 1.0 - t) } else { ((1.0 - t) / t, t) }
+}
+
+/// Coefficients of the plain polynomial in the odds from the end nearer to t.
+#[inline]
+fn toward(b: &Bernstein, t: f64) -> Bernstein {
+    if t <= 0.5 {
+        core::array::from_fn(|i| BINOMIAL[i] * b[i])
+    } else {
+        core::array::from_fn(|i| BINOMIAL[i] * b[ORDER - 1 - i])
+    }
+}
+
+/// Value, slope and half the second derivative of a plain polynomial.
+#[inline]
+fn horner(a: &Bernstein, x: f64) -> [f64; 3] {
+    let [mut p, mut dp, mut half_d2p] = [0.0; 3];
+    for coefficient in a.iter().rev() {
+        half_d2p = half_d2p * x + dp;
+        dp = dp * x + p;
+        p = p * x + coefficient;
+    }
+    [p, dp, half_d2p]
+}
+
+/// Whether all coefficients are beyond `tolerance` on one side of zero.
+#[inline]
+pub(crate) fn one_sign(b: &Bernstein, tolerance: f64) -> bool {
+    let (mut least, mut greatest) = (b[0], b[0]);
+    for &value in b {
+        least = if value < least { value } else { least };
+        greatest = if value > greatest { value } else { greatest };
+    }
+    least > tolerance || greatest < -tolerance
+}
+
+/// How often the signs change at the most when coefficients within `tolerance` of zero may have any sign. The ends are
+/// sure: zero counts as positive there.
+#[inline]
+pub(crate) fn sign_changes(b: &[f64], tolerance: f64) -> usize {
     let last = b.len() - 1;
     let mut sure = b[0] >= 0.0; // the last sure sign
-    let (mut least, mut most) = (0, 0);
+    let mut most = 0;
     let mut unsure = 0; // coefficients of unknown sign since then
     for (i, &value) in b.iter().enumerate().skip(1) {
         if i < last && value.abs() <= tolerance {
@@ -142,12 +183,11 @@ pub(crate) fn sign_changes(b: &[f64], tolerance: f64) -> (usize, usize) {
         }
         let sign = value >= 0.0;
         let changed = usize::from(sign != sure);
-        least += changed;
         // k unknown signs between two sure ones: k + 1 places for a change, of the parity of the ends
         most += if unsure % 2 == 0 { unsure + changed } else { unsure + 1 - changed };
         (sure, unsure) = (sign, 0);
     }
-    (least, most)
+    most
 }
 
 #[cfg(test)]
@@ -160,19 +200,28 @@ mod tests {
         let b = fit(&NODES.map(f));
         for i in 0..=50 {
             let t = f64::from(i) / 50.0;
-            let (v, dv) = value_and_slope(&b, t);
-            let exact = -1.0 + 15.0 * t * t - 14.0 * t * t * t * t * t * t;
-            assert!((v - f(t)).abs() < 1e-13 && (dv - exact).abs() < 1e-12, "t = {t}: {v} {dv}");
+            assert!((value(&b, t) - f(t)).abs() < 1e-13, "t = {t}");
+        }
+    }
+
+    #[test]
+    fn polish_finds_the_root() {
+        for root in [0.02, 0.3, 0.5, 0.7, 0.99] {
+            let b = fit(&NODES.map(|t| (t - root) * (2.0 + t * t * t)));
+            let got = polish(&b, root + if root < 0.5 { 0.003 } else { -0.003 }); // as far as the control polygon is
+            assert!((got - root).abs() < 1e-9, "{got} for {root}");
         }
     }
 
     #[test]
     fn changes_of_unsure_signs() {
-        assert_eq!(sign_changes(&[1.0, 2.0, 3.0], 0.1), (0, 0));
-        assert_eq!(sign_changes(&[1.0, 0.01, -3.0], 0.1), (1, 1)); // wherever the unsure one falls
-        assert_eq!(sign_changes(&[1.0, 0.01, 3.0], 0.1), (0, 2));
-        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, -3.0], 0.1), (1, 3));
-        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, 3.0], 0.1), (0, 2));
-        assert_eq!(sign_changes(&[1e-9, 2.0, -1e-9], 0.1), (1, 1)); // the ends are sure
+        assert_eq!(sign_changes(&[1.0, 2.0, 3.0], 0.1), 0);
+        assert_eq!(sign_changes(&[1.0, 0.01, -3.0], 0.1), 1); // wherever the unsure one falls
+        assert_eq!(sign_changes(&[1.0, 0.01, 3.0], 0.1), 2);
+        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, -3.0], 0.1), 3);
+        assert_eq!(sign_changes(&[1.0, 0.01, 0.01, 3.0], 0.1), 2);
+        assert_eq!(sign_changes(&[1e-9, 2.0, -1e-9], 0.1), 1); // the ends are sure
+        let all = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 1.0, 2.0, 3.0];
+        assert!(one_sign(&all, 0.9) && !one_sign(&all, 1.0) && one_sign(&all.map(|v| -v), 0.9));
     }
 }

@@ -41,6 +41,31 @@ pub(crate) struct Root {
 /// Halvings after which a panel is narrower than rounding can tell apart.
 const DEEPEST: u32 = 44;
 
+/// A pair of combinations that are mirror images: even part plus, and less, odd part.
+///
+/// Sums are always taken part by part, here, in polynomials and in exact values alike, so that a value on a border of
+/// two panels is the same to the bit from either side.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair<const K: usize> {
+    pub(crate) even: [f64; K],
+    pub(crate) odd: [f64; K],
+}
+
+impl<const K: usize> Pair<K> {
+    /// Weights of one size, so that no sum of terms overflows.
+    pub(crate) fn tamed(self) -> Self {
+        let largest = self.even.iter().chain(&self.odd).fold(0.0, |m: f64, w| m.max(w.abs()));
+        if largest > 1e100 {
+            Self { even: self.even.map(|w| w / largest), odd: self.odd.map(|w| w / largest) }
+        } else {
+            self
+        }
+    }
+}
+
+/// Which of a pair: +1.0 or −1.0, the factor of the odd part.
+pub(crate) type Side = f64;
+
 impl<const K: usize> Panel<K> {
     /// Fits the functions between `start` and `end`.
     ///
@@ -70,35 +95,64 @@ impl<const K: usize> Panel<K> {
         Self { start, end, functions, tolerance: tolerance.map(|t| 4.0 * t), slopes }
     }
 
-    /// Hands every root of Σ `weights[k]`·function k on this panel to `found`, in no order.
+    /// Hands every root of either combination on this panel to `found`, in no order.
     #[inline]
-    pub(crate) fn roots(&self, basis: &impl Basis<K>, weights: &[f64; K], found: &mut impl FnMut(Root)) {
-        self.search(basis, weights, found, DEEPEST);
-    }
-
-    fn search(&self, basis: &impl Basis<K>, weights: &[f64; K], found: &mut impl FnMut(Root), depth: u32) {
-        let mut b = [0.0; ORDER];
-        let mut tolerance = 0.0;
-        for ((function, error), weight) in self.functions.iter().zip(&self.tolerance).zip(weights) {
-            tolerance += error * weight.abs();
-            for (sum, coefficient) in b.iter_mut().zip(function) {
-                *sum += weight * coefficient;
+    pub(crate) fn roots(&self, basis: &impl Basis<K>, pair: &Pair<K>, found: &mut impl FnMut(Side, Root)) {
+        let (even, even_tolerance) = self.sum(&pair.even);
+        let (odd, odd_tolerance) = self.sum(&pair.odd);
+        let tolerance = even_tolerance + odd_tolerance;
+        for side in [1.0, -1.0] {
+            let b: Bernstein = core::array::from_fn(|i| even[i] + side * odd[i]);
+            if !bernstein::one_sign(&b, tolerance) {
+                let here = Combination { basis, pair, side };
+                self.search(&here, &b, tolerance, &mut |root| found(side, root), DEEPEST);
             }
         }
-        if self.start == 0.0 && b[0].abs() <= self.rounding_at_start(weights) {
-            self.search_past_zero(basis, weights, &b, tolerance, found, depth);
+    }
+
+    /// The polynomial of a weighted sum, and how far it may be off.
+    #[inline]
+    fn sum(&self, weights: &[f64; K]) -> (Bernstein, f64) {
+        let (mut sum, mut tolerance) = ([0.0; ORDER], 0.0);
+        for (k, &weight) in weights.iter().enumerate() {
+            if weight != 0.0 {
+                tolerance += self.tolerance[k] * weight.abs();
+                for (total, coefficient) in sum.iter_mut().zip(&self.functions[k]) {
+                    *total += weight * coefficient;
+                }
+            }
+        }
+        (sum, tolerance)
+    }
+
+    fn search<B: Basis<K>>(
+        &self,
+        here: &Combination<'_, B, K>,
+        b: &Bernstein,
+        tolerance: f64,
+        found: &mut impl FnMut(Root),
+        depth: u32,
+    ) {
+        if self.start == 0.0 && b[0].abs() <= self.rounding_at_start(here) {
+            self.search_past_zero(here, b, tolerance, found, depth);
             return;
         }
-        let (least, most) = bernstein::sign_changes(&b, tolerance);
-        if most == 0 {
-            return;
+        match bernstein::sign_changes(b, tolerance) {
+            0 => {}
+            1 => found(here.refine(self.start, self.end, b[0] >= 0.0, self.guess(b))),
+            _ => self.examine(here, b, tolerance, found, depth),
         }
-        let here = Combination { basis, weights };
-        if most == 1 {
-            debug_assert_eq!(least, 1);
-            found(here.refine(self.start, self.end, b[0] >= 0.0, self.guess(&b)));
-        } else {
-            self.examine(&here, &b, tolerance, found, depth);
+    }
+
+    /// Either half, fitted anew.
+    fn halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
+        let middle = 0.5 * (self.start + self.end);
+        for (start, end) in [(self.start, middle), (middle, self.end)] {
+            let half = Self::fit(here.basis, start, end);
+            let (even, even_tolerance) = half.sum(&here.pair.even);
+            let (odd, odd_tolerance) = half.sum(&here.pair.odd);
+            let b = core::array::from_fn(|i| even[i] + here.side * odd[i]);
+            half.search(here, &b, even_tolerance + odd_tolerance, found, depth - 1);
         }
     }
 
@@ -112,118 +166,104 @@ impl<const K: usize> Panel<K> {
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
-        let (rises_from, rises_to) = (b[0] >= 0.0, b[ORDER - 1] >= 0.0);
+        let (from, to) = (b[0] >= 0.0, b[ORDER - 1] >= 0.0);
         let mut differences = [0.0; ORDER - 1];
         for (difference, pair) in differences.iter_mut().zip(b.windows(2)) {
             *difference = pair[1] - pair[0];
         }
-        let ends_sure = differences[0].abs() > 2.0 * tolerance && differences[ORDER - 2].abs() > 2.0 * tolerance;
-        let (_, turns) = bernstein::sign_changes(&differences, 2.0 * tolerance);
-        if ends_sure && turns == 0 {
-            if rises_from != rises_to {
-                found(here.refine(self.start, self.end, rises_from, self.guess(b)));
-            }
-        } else if ends_sure && turns == 1 {
-            let top = here.extremum(self.start, self.end, differences[0] > 0.0);
-            here.around(top, self.start, self.end, rises_from, rises_to, found);
-        } else if depth > 0 {
-            let middle = 0.5 * (self.start + self.end);
-            Self::fit(here.basis, self.start, middle).search(here.basis, here.weights, found, depth - 1);
-            Self::fit(here.basis, middle, self.end).search(here.basis, here.weights, found, depth - 1);
+        let sure = |difference: f64| difference.abs() > 2.0 * tolerance;
+        let turns = if sure(differences[0]) && sure(differences[ORDER - 2]) {
+            bernstein::sign_changes(&differences, 2.0 * tolerance)
         } else {
+            usize::MAX
+        };
+        match turns {
+            0 if from == to => {}
+            0 => found(here.refine(self.start, self.end, from, self.guess(b))),
+            1 => {
+                let top = here.extremum(self.start, self.end, differences[0] > 0.0);
+                here.around(top, self.start, self.end, from, to, found);
+            }
+            _ if depth > 0 => self.halve(here, found, depth),
             // narrower than rounding: value, slope and curvature vanish together
-            let middle = 0.5 * (self.start + self.end);
-            here.around(middle, self.start, self.end, rises_from, rises_to, found);
+            _ => here.around(0.5 * (self.start + self.end), self.start, self.end, from, to, found),
         }
     }
 
     /// The combination vanishes at coordinate 0: its roots elsewhere are those of the quotient by the coordinate.
     #[cold]
-    fn search_past_zero(
+    fn search_past_zero<B: Basis<K>>(
         &self,
-        basis: &impl Basis<K>,
-        weights: &[f64; K],
+        here: &Combination<'_, B, K>,
         b: &Bernstein,
         tolerance: f64,
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
-        let here = Combination { basis, weights };
-        let slope: f64 = self.slopes.iter().zip(weights).map(|(s, w)| s * w).sum();
-        let size: f64 = self.slopes.iter().zip(weights).map(|(s, w)| (s * w).abs()).sum();
+        let (slope, size) = here.sum_and_size(&self.slopes);
         // where the slope vanishes too, the function itself tells its sign so close to 0 that nothing else counts
-        let rises_from =
-            if slope.abs() > 4.0 * f64::EPSILON * size { slope > 0.0 } else { here.at(1e-100).value >= 0.0 };
-        // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1)
-        let mut quotient = [0.0; ORDER - 1];
-        let mut sure = 0.0_f64;
-        for (i, c) in quotient.iter_mut().enumerate() {
-            let factor = (ORDER - 1) as f64 / (i + 1) as f64;
-            *c = factor * b[i + 1];
-            sure = sure.max(factor * tolerance);
-        }
-        quotient[0] = if rises_from { f64::MIN_POSITIVE } else { -f64::MIN_POSITIVE }; // only its sign is known
-        let (_, most) = bernstein::sign_changes(&quotient, sure);
-        if most == 0 {
-            return;
-        }
-        if most == 1 {
-            found(here.refine(self.start, self.end, rises_from, 0.5 * (self.start + self.end)));
-        } else if depth > 0 {
-            let middle = 0.5 * (self.start + self.end);
-            Self::fit(basis, self.start, middle).search(basis, weights, found, depth - 1);
-            Self::fit(basis, middle, self.end).search(basis, weights, found, depth - 1);
-        } else if rises_from != (b[ORDER - 1] >= 0.0) {
-            found(here.refine(self.start, self.end, rises_from, 0.5 * (self.start + self.end)));
+        let from = if slope.abs() > 4.0 * f64::EPSILON * size { slope > 0.0 } else { here.at(1e-100).value >= 0.0 };
+        // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1), of which the first keeps no digits but has a sure sign
+        let mut quotient: [f64; ORDER - 1] = core::array::from_fn(|i| b[i + 1] * ((ORDER - 1) as f64 / (i + 1) as f64));
+        quotient[0] = if from { 1.0 } else { -1.0 };
+        match bernstein::sign_changes(&quotient, (ORDER - 1) as f64 * tolerance) {
+            0 => {}
+            1 => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
+            _ if depth > 0 => self.halve(here, found, depth),
+            _ if from == (b[ORDER - 1] >= 0.0) => {}
+            _ => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
         }
     }
 
     /// What rounding may leave of a combination that vanishes at the start.
     #[inline]
-    fn rounding_at_start(&self, weights: &[f64; K]) -> f64 {
-        let size: f64 = self.functions.iter().zip(weights).map(|(f, w)| (f[0] * w).abs()).sum();
-        4.0 * f64::EPSILON * size
+    fn rounding_at_start<B: Basis<K>>(&self, here: &Combination<'_, B, K>) -> f64 {
+        4.0 * f64::EPSILON * here.sum_and_size(&self.functions.map(|f| f[0])).1
     }
 
-    /// The root of a polynomial with one change of sign: where the control polygon crosses, then two Newton steps.
+    /// The root of a polynomial with one change of sign: where the control polygon crosses, then two of Halley's steps.
     #[inline]
     fn guess(&self, b: &Bernstein) -> f64 {
         let positive = b[0] >= 0.0;
         let after = b.iter().position(|&value| (value >= 0.0) != positive).unwrap_or(ORDER - 1).max(1);
         let (before, past) = (b[after - 1], b[after]);
-        let mut t = ((after - 1) as f64 + before / (before - past)) / (ORDER - 1) as f64;
-        for _ in 0..3 {
-            let (value, slope) = bernstein::value_and_slope(b, t);
-            let next = t - value / slope;
-            if !(0.0..=1.0).contains(&next) {
-                break;
-            }
-            t = next;
-        }
-        self.start + (self.end - self.start) * t
+        let t = ((after - 1) as f64 + before / (before - past)) / (ORDER - 1) as f64;
+        self.start + (self.end - self.start) * bernstein::polish(b, t)
     }
 }
 
-/// One combination, evaluated exactly.
+/// One combination of a pair, evaluated exactly.
 struct Combination<'a, B, const K: usize> {
     basis: &'a B,
-    weights: &'a [f64; K],
+    pair: &'a Pair<K>,
+    side: Side,
 }
 
 impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
     #[inline]
     fn at(&self, t: f64) -> Dual {
-        let mut sum = Dual::new(0.0, 0.0);
-        for (function, &weight) in self.basis.at(t).iter().zip(self.weights) {
-            sum = sum + weight * *function;
+        let (mut even, mut odd) = (Dual::new(0.0, 0.0), Dual::new(0.0, 0.0));
+        for (k, function) in self.basis.at(t).iter().enumerate() {
+            even = even + self.pair.even[k] * *function;
+            odd = odd + self.pair.odd[k] * *function;
         }
-        sum
+        even + self.side * odd
+    }
+
+    /// The combination of given values, and the sum of its terms' sizes.
+    fn sum_and_size(&self, values: &[f64; K]) -> (f64, f64) {
+        let (mut even, mut odd, mut size) = (0.0, 0.0, 0.0);
+        for (k, value) in values.iter().enumerate() {
+            even += self.pair.even[k] * value;
+            odd += self.pair.odd[k] * value;
+            size += (self.pair.even[k] * value).abs() + (self.pair.odd[k] * value).abs();
+        }
+        (even + self.side * odd, size)
     }
 
     /// What rounding may make of the combination at `t`.
     fn rounding(&self, t: f64) -> f64 {
-        let size: f64 = self.basis.at(t).iter().zip(self.weights).map(|(f, w)| (f.value * w).abs()).sum();
-        8.0 * f64::EPSILON * size
+        8.0 * f64::EPSILON * self.sum_and_size(&self.basis.at(t).map(|f| f.value)).1
     }
 
     /// The root between `low` and `high`, of which the combination is positive at `low` or at `high` alone.
@@ -300,7 +340,13 @@ mod tests {
         let mut roots = Vec::new();
         for i in 0..4 {
             let (a, b) = (0.25 * f64::from(i), 0.25 * f64::from(i + 1));
-            Panel::fit(&Powers, a, b).roots(&Powers, weights, &mut |root| roots.push(root));
+            // of the mirror image, with all coefficients negative, the roots are the same
+            let pair = Pair { even: [0.0; 7], odd: *weights };
+            Panel::fit(&Powers, a, b).roots(&Powers, &pair, &mut |side, root| {
+                if side > 0.0 {
+                    roots.push(root);
+                }
+            });
         }
         roots.sort_by(|a, b| a.at.total_cmp(&b.at));
         roots

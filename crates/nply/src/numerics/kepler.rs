@@ -6,6 +6,7 @@
 use core::f64::consts::PI;
 
 use super::kepler_starter::{LAST, MAIN, PITCHFORK, TALL};
+use super::quadrant::sincos;
 use super::series::one_minus_sinc;
 
 /// The root by the sine and cosine of its half, both to a few units in the last place, even where they vanish.
@@ -15,17 +16,25 @@ pub(crate) struct HalfAnomaly {
     pub(crate) sin: f64,
     /// cos(E/2); zero in line contact
     pub(crate) cos: f64,
-    /// cos²(E/2)/(cos²θ + sin²θ cos E): finite at the pitchfork, where numerator and denominator vanish together
-    pub(crate) slope: f64,
+    /// cos²θ + sin²θ cos E, the slope of Kepler's equation times cos²θ; zero at the pitchfork together with `cos`
+    slope: f64,
+}
+
+impl HalfAnomaly {
+    /// cos²(E/2)/(cos²θ + sin²θ cos E), which stays finite at the pitchfork.
+    #[inline]
+    pub(crate) fn share_of_slope(&self) -> f64 {
+        self.cos * self.cos / self.slope
+    }
 }
 
 /// Two strands in line contact: E = π.
-const LINE: HalfAnomaly = HalfAnomaly { sin: 1.0, cos: 0.0, slope: 0.0 };
+const LINE: HalfAnomaly = HalfAnomaly { sin: 1.0, cos: 0.0, slope: 1.0 };
 
 /// The main branch for `strands` ≥ 2 at the angle with sine `s` > 0 or 0 and cosine `c` > 0.
 ///
 /// `cos_double` is cos 2θ, wanted to full relative precision near θ = π/4 when there are two strands; others ignore it.
-#[inline]
+#[inline(always)]
 pub(crate) fn main_branch(strands: u32, s: f64, c: f64, cos_double: f64) -> HalfAnomaly {
     let w = c * c;
     if strands > 2 {
@@ -36,12 +45,12 @@ pub(crate) fn main_branch(strands: u32, s: f64, c: f64, cos_double: f64) -> Half
     } else if w < 0.25 {
         rising(w * polynomial(&TALL, 8.0 * w - 1.0), PI, s, w)
     } else {
-        pitchfork(s, w, -cos_double / (s * s))
+        pitchfork(s, -cos_double / (s * s))
     }
 }
 
 /// Where the correction for n ≥ 3 begins.
-#[inline]
+#[inline(always)]
 fn start(strands: u32, lambda: f64, s: f64, w: f64) -> f64 {
     if strands as usize <= LAST {
         w * polynomial(&MAIN[strands as usize - 3], 2.0 * w - 1.0)
@@ -54,48 +63,47 @@ fn start(strands: u32, lambda: f64, s: f64, w: f64) -> f64 {
 }
 
 /// One correction of fourth order in E on the rising part of E + e sin E, all terms multiplied by w = cos²θ.
-#[inline]
+#[inline(always)]
 fn rising(start: f64, lambda: f64, s: f64, w: f64) -> HalfAnomaly {
     let ss = s * s;
-    let (sh, ch) = libm::sincos(0.5 * start);
+    let (sh, ch) = sincos(0.5 * start);
     let (sin_e, cos_e) = (2.0 * sh * ch, (ch - sh) * (ch + sh));
     let residual = w * (lambda - start) - ss * sin_e;
     let (sin, cos) = turn(sh, ch, 0.5 * inverse_series(residual, w + ss * cos_e, -ss * sin_e, -ss * cos_e));
-    HalfAnomaly { sin, cos, slope: cos * cos / (w + ss * (cos - sin) * (cos + sin)) }
+    HalfAnomaly { sin, cos, slope: w + ss * (cos - sin) * (cos + sin) }
 }
 
 /// Two strands just above π/4, in z = π − E, where z ≈ √(6μ) and μ = 1 − cot²θ.
 ///
 /// The residual is z − e sin z = e z ((1 − sin z/z) − μ): both brackets are small together and neither has cancelled.
 #[inline]
-fn pitchfork(s: f64, w: f64, mu: f64) -> HalfAnomaly {
+fn pitchfork(s: f64, mu: f64) -> HalfAnomaly {
     let z = libm::sqrt(mu) * polynomial(&PITCHFORK, 1.0 - 2.0 * mu);
-    let (sh, ch) = libm::sincos(0.5 * z); // sin(z/2) = cos(E/2)
+    let (sh, ch) = sincos(0.5 * z); // sin(z/2) = cos(E/2)
     // everything divided by e: v z − sin z = 0, v = 1 − μ = 1/e
     let residual = z * (mu - one_minus_sinc(z));
     let slope = 2.0 * sh * sh - mu; // v − cos z
     let (cos, sin) = turn(sh, ch, 0.5 * inverse_series(residual, slope, 2.0 * sh * ch, (ch - sh) * (ch + sh)));
-    debug_assert!(w > 0.0);
-    HalfAnomaly { sin, cos, slope: cos * cos / (s * s * (2.0 * cos * cos - mu)) }
+    HalfAnomaly { sin, cos, slope: s * s * (2.0 * cos * cos - mu) }
 }
 
 /// The step δ with f₁ δ + f₂ δ²/2 + f₃ δ³/6 = `residual`, by reversion: the error is of fourth order in δ.
-#[inline]
+#[inline(always)]
 fn inverse_series(residual: f64, f1: f64, f2: f64, f3: f64) -> f64 {
-    let d = residual / f1;
-    let (a2, a3) = (f2 / (2.0 * f1), f3 / (6.0 * f1));
+    let inverse = 1.0 / f1;
+    let (d, a2, a3) = (residual * inverse, 0.5 * f2 * inverse, f3 * inverse * (1.0 / 6.0));
     d * (1.0 - d * (a2 - d * (2.0 * a2 * a2 - a3)))
 }
 
 /// (sin, cos) turned on by a small angle d, |d| < 1e-4: the first term left out is d⁴/24.
-#[inline]
+#[inline(always)]
 fn turn(sin: f64, cos: f64, d: f64) -> (f64, f64) {
     let (even, odd) = (0.5 * d * d, d * (1.0 - d * d / 6.0));
     (sin + (cos * odd - sin * even), cos - (sin * odd + cos * even))
 }
 
 /// Estrin's scheme: short chains instead of Horner's long one.
-#[inline]
+#[inline(always)]
 fn polynomial(a: &[f64; 13], u: f64) -> f64 {
     let u2 = u * u;
     let u4 = u2 * u2;

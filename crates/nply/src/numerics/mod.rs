@@ -5,5 +5,6 @@ pub(crate) mod dual;
 pub(crate) mod isolate;
 pub(crate) mod kepler;
 mod kepler_starter;
+pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod series;

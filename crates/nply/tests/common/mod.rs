@@ -1,27 +1,30 @@
-//! Reading the golden tables and comparing with them.
-#![allow(dead_code, clippy::unwrap_used, clippy::panic)]
+//! What the test files share: golden tables, contact found the slow way, vectors.
+#![allow(dead_code, clippy::unwrap_used, clippy::panic)] // no file uses all of it, and a test may panic
+
+pub(crate) mod touch;
+pub(crate) mod vector;
 
 use std::collections::HashMap;
 
 /// One row of a table, by the names of its columns.
-pub struct Row(HashMap<String, String>);
+pub(crate) struct Row(HashMap<String, String>);
 
 impl Row {
-    pub fn text(&self, column: &str) -> &str {
+    pub(crate) fn text(&self, column: &str) -> &str {
         self.0.get(column).unwrap_or_else(|| panic!("no column {column}"))
     }
 
-    pub fn number(&self, column: &str) -> f64 {
+    pub(crate) fn number(&self, column: &str) -> f64 {
         self.text(column).parse().unwrap_or_else(|_| panic!("{column} = {}", self.text(column)))
     }
 
-    pub fn strands(&self) -> u32 {
+    pub(crate) fn strands(&self) -> u32 {
         self.text("n").parse().unwrap()
     }
 }
 
 /// All rows of `authorities/<name>.csv`.
-pub fn table(name: &str) -> Vec<Row> {
+pub(crate) fn table(name: &str) -> Vec<Row> {
     let path = format!("{}/../../authorities/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     let mut lines = text.lines();
@@ -35,7 +38,7 @@ pub fn table(name: &str) -> Vec<Row> {
 
 /// Panics unless `got` is within `tolerance`·|want| of `want`; a zero of the table (below 1e-40) wants an exact zero.
 #[track_caller]
-pub fn assert_relative(got: f64, want: f64, tolerance: f64, what: &str) {
+pub(crate) fn assert_relative(got: f64, want: f64, tolerance: f64, what: &str) {
     let scale = if want.abs() < 1e-40 { 0.0 } else { want.abs() };
     assert!(
         (got - if scale > 0.0 { want } else { 0.0 }).abs() <= tolerance * scale,

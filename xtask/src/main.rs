@@ -1,0 +1,38 @@
+//! The workshop's commands. Standard library only, so that a fresh checkout starts at once.
+//!
+//!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file
+//!     cargo xtask bench         the benches
+//!     cargo xtask authorities   remakes the golden tables and compares them with those committed
+
+mod authorities;
+mod bench;
+mod step;
+mod test;
+
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: cargo xtask <test|bench|authorities>";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["test"] => test::run(),
+        ["bench"] => bench::run(),
+        ["authorities"] => authorities::run(),
+        ["help" | "--help" | "-h"] => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("\nxtask: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}

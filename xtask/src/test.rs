@@ -1,0 +1,28 @@
+//! `cargo xtask test`: the cheap checks first, then the tests, then the command as a reader will call it.
+
+use crate::step::{Outcome, answers, cargo, run as step, run_and_hear};
+
+/// The main job, as the README opens with it.
+const MAIN_JOB: [&str; 5] = ["run", "--release", "--", "solve", "examples/three-ply-yarn.toml"];
+
+pub(crate) fn run() -> Outcome {
+    components()?;
+    step("format", &mut cargo(["fmt", "--all", "--check"]))?;
+    step("lints", &mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
+    step("tests", &mut cargo(["test", "--workspace"]))?;
+    step("documentation", cargo(["doc", "--workspace", "--lib", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))?;
+    step("release build", &mut cargo(["build", "--release"]))?;
+    run_and_hear("main job", &mut cargo(MAIN_JOB))?;
+    println!("\nxtask: every step passed");
+    Ok(())
+}
+
+/// Formatter and linter are components that a toolchain can lack; say so before anything else is built.
+fn components() -> Outcome {
+    for (tool, component) in [("fmt", "rustfmt"), ("clippy", "clippy")] {
+        if !answers(&mut cargo([tool, "--version"])) {
+            return Err(format!("{component} is missing: add it with `rustup component add {component}`"));
+        }
+    }
+    Ok(())
+}
