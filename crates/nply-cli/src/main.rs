@@ -1,2 +1,56 @@
-//! The command nply.
-fn main() {}
+//! The command `nply`: argv, files, terminal and exit codes; everything else is in `nply-sheet` and `nply`.
+
+mod arguments;
+mod failure;
+mod input;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::ArgMatches;
+use nply_sheet::{Report, ShapeReport};
+
+use failure::Failure;
+use output::Format;
+
+fn main() -> ExitCode {
+    let matches = match arguments::command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return Failure::usage(&error),
+    };
+    let done = match matches.subcommand() {
+        Some(("solve", arguments)) => solve(arguments),
+        Some(("contact", arguments)) => contact(arguments),
+        _ => Ok(()), // a subcommand is required: not reached
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// `nply solve`: every state of one ply.
+fn solve(arguments: &ArgMatches) -> Result<(), Failure> {
+    let input = input::read(arguments)?;
+    let report = input.spec.check().and_then(Report::of).map_err(|error| input.refused(error))?;
+    output::write(&match Format::of(arguments) {
+        Format::Table => report.text(true),
+        Format::Json => report.json(),
+        Format::Csv => report.csv(),
+    })
+}
+
+/// `nply contact`: geometry alone.
+fn contact(arguments: &ArgMatches) -> Result<(), Failure> {
+    let input = input::read(arguments)?;
+    let most = arguments.get_one::<u32>("branches").map_or(0, |most| *most as usize);
+    let report = input
+        .spec
+        .check_shape()
+        .and_then(|shape| ShapeReport::of(shape, most))
+        .map_err(|error| input.refused(error))?;
+    output::write(&match Format::of(arguments) {
+        Format::Json => report.json(),
+        Format::Table | Format::Csv => report.text(true),
+    })
+}

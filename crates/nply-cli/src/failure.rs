@@ -1,0 +1,42 @@
+//! What went wrong, said on standard error, and the exit status it ends with.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+
+use nply_sheet::SpecError;
+
+/// Why there is no answer.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The input is refused; with the text of the file it stands in.
+    Refused(SpecError, String),
+    /// A file cannot be read or written.
+    File { what: String, error: io::Error },
+    /// Nobody reads the answer any more: no error.
+    ClosedPipe,
+}
+
+/// File trouble.
+const FILE: u8 = 3;
+/// Usage.
+const USAGE: u8 = 2;
+
+impl Failure {
+    /// Says what is the matter and gives the exit status.
+    pub(crate) fn report(self) -> ExitCode {
+        let (text, status) = match self {
+            Self::Refused(error, text) => (error.render_styled(&text), error.exit_code()),
+            Self::File { what, error } => (format!("error: {what}: {error}"), FILE),
+            Self::ClosedPipe => return ExitCode::SUCCESS,
+        };
+        // where standard error is closed too there is nobody left to tell
+        let _ = writeln!(anstream::stderr(), "{}", text.trim_end());
+        ExitCode::from(status)
+    }
+
+    /// Help and version go to standard output with status 0, anything else to standard error with status 2.
+    pub(crate) fn usage(error: &clap::Error) -> ExitCode {
+        let _ = error.print();
+        ExitCode::from(if error.use_stderr() { USAGE } else { 0 })
+    }
+}

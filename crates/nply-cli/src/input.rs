@@ -1,0 +1,60 @@
+//! A ply from a file, from flags, or from both.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+use nply_sheet::{KEYS, Spec, SpecError};
+
+use crate::failure::Failure;
+
+/// What was written, and the text of the file for messages.
+pub(crate) struct Input {
+    pub(crate) spec: Spec,
+    text: String,
+}
+
+/// A ply is some lines; what is larger than this (1 MiB) is some other file.
+const LARGEST: u64 = 1 << 20;
+
+impl Input {
+    pub(crate) fn refused(&self, error: SpecError) -> Failure {
+        Failure::Refused(error, self.text.clone())
+    }
+}
+
+/// Reads the file, if one is named, and lays the flags over it.
+pub(crate) fn read(arguments: &ArgMatches) -> Result<Input, Failure> {
+    let flags: Vec<(&str, &str)> = KEYS
+        .iter()
+        .filter(|key| matches!(arguments.try_contains_id(key.flag), Ok(true)))
+        .filter(|key| arguments.value_source(key.flag) == Some(ValueSource::CommandLine))
+        .filter_map(|key| Some((key.flag, arguments.get_one::<String>(key.flag)?.as_str())))
+        .collect();
+    let flags = Spec::from_flags(flags).map_err(|error| Failure::Refused(error, String::new()))?;
+    let Some(path) = arguments.get_one::<String>("file") else {
+        return Ok(Input { spec: flags, text: String::new() });
+    };
+    let (name, bytes) = if path == "-" {
+        ("standard input", load(io::stdin()))
+    } else {
+        (path.as_str(), File::open(path).and_then(load))
+    };
+    let bytes = bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    match Spec::from_bytes(name, &bytes) {
+        Ok(spec) => Ok(Input { spec: spec.overridden_by(&flags), text }),
+        Err(error) => Err(Failure::Refused(error, text)),
+    }
+}
+
+fn load(file: impl io::Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST {
+        let message = "it is larger than 1 MiB and can hardly be the description of a ply";
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,320 @@
+//! One ply, dimensionless, and the one question asked about it.
+
+mod lay;
+mod measure;
+mod origin;
+mod question;
+mod strand;
+mod twist;
+
+use nply::mechanics::{Balance, Load, Twist};
+use nply::{DomainError, Handedness, Scale};
+
+use lay::GivenLay;
+use measure::Measure;
+use origin::Origins;
+
+use crate::key::Group;
+use crate::spec::{Entry, Spec, Value};
+use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
+
+/// A ply in which everything is known that the theory needs; lengths over r, forces over B/r², moments over B/r.
+///
+/// ```
+/// use nply_sheet::{Question, Spec};
+/// let text = r#"
+/// ply.strands = 2
+/// strand = { radius = "1 nm", bending_stiffness = "200 pN nm^2", stiffness_ratio = 1.5 }
+/// twist = { pretwist = -0.3 }
+/// load = { force = "20 pN" }
+/// "#;
+/// let case = Spec::from_toml("dna.toml", text)?.check()?;
+/// let Question::States { load, .. } = case.question else { unreachable!() };
+/// assert!((load.force - 0.1).abs() < 1e-15); // F r²/B
+/// # Ok::<(), nply_sheet::SpecError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Case {
+    /// The name given to it, for the report.
+    pub title: Option<String>,
+    /// n, 2 to a million.
+    pub strands: u32,
+    /// γ = C/B, greater than 0.
+    pub stiffness_ratio: f64,
+    /// Which balance is asked for.
+    pub balance: Balance,
+    /// Radial force per strand length from outside, times r³/B, outward positive; with [`Balance::Contact`] only.
+    pub external_pressure: Option<f64>,
+    /// What is to be found.
+    pub question: Question,
+    /// r in m and B in N m², where both are given; then results can be given in units of force and length.
+    pub scale: Option<Scale>,
+    /// r in m, where it is given; without `scale`, lengths (and only they) can be given in units.
+    pub strand_radius: Option<f64>,
+    /// L/r, where the strand length is given.
+    pub strand_length: Option<f64>,
+    /// The units the input was written in.
+    pub units: PreferredUnits,
+    origins: Origins,
+}
+
+/// What is to be found. Twist, force and moment as in [`nply::mechanics`], all dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Question {
+    /// Every angle, of both hands, in equilibrium with a given twist and load.
+    States {
+        /// The twist given.
+        twist: Twist,
+        /// The load given.
+        load: Load,
+    },
+    /// The moment that holds a given lay.
+    MomentAt {
+        /// The shape given.
+        lay: Lay,
+        /// Which way it winds; both are answered if not given.
+        hand: Option<Handedness>,
+        /// The twist given.
+        twist: Twist,
+        /// f given.
+        force: f64,
+    },
+    /// The force that holds a given lay.
+    ForceAt {
+        /// The shape given.
+        lay: Lay,
+        /// Which way it winds; both are answered if not given.
+        hand: Option<Handedness>,
+        /// The twist given.
+        twist: Twist,
+        /// m given.
+        moment: f64,
+    },
+    /// The pretwist that makes a given lay.
+    PretwistAt {
+        /// The shape given.
+        lay: Lay,
+        /// Which way it winds; both are answered if not given.
+        hand: Option<Handedness>,
+        /// The load given.
+        load: Load,
+    },
+    /// The states, and their moment, in which the strands just stop pressing on each other under a given force.
+    SeparationAtForce {
+        /// The twist given.
+        twist: Twist,
+        /// f given.
+        force: f64,
+    },
+    /// The states, and their force, in which the strands just stop pressing on each other under a given moment.
+    SeparationAtMoment {
+        /// The twist given.
+        twist: Twist,
+        /// m given.
+        moment: f64,
+    },
+}
+
+/// The shape of a ply, in one of the ways in which it is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Lay {
+    /// θ in rad, 0 ≤ θ < π/2.
+    HelicalAngle(f64),
+    /// π/2 − θ in rad, greater than 0 and at most π/2.
+    PitchAngle(f64),
+    /// Ply length of one turn over r, greater than 0.
+    LayLength(f64),
+    /// Lay length over the outer diameter of the ply, greater than 0.
+    LayRatio(f64),
+    /// ρ = R/r, greater than 0.
+    RadiusRatio(f64),
+}
+
+impl Case {
+    pub(crate) fn of(spec: &Spec) -> Result<Self, SpecError> {
+        let strands = strands(spec, 2)?;
+        let strand = strand::Strand::of(spec)?;
+        let measure = strand.measure(spec);
+        let strand_length = measure.strand_length()?;
+        let twist = twist::of(&measure, strand_length)?;
+        let lay = lay::of(&measure)?;
+        let balance = match spec.get(Datum::Balance) {
+            Some(Entry { value: Value::Balance(balance), .. }) => *balance,
+            _ => Balance::default(),
+        };
+        let external_pressure = question::external_pressure(&measure, balance)?;
+        let question = question::of(&measure, twist, lay)?;
+        let title = match spec.get(Datum::Title) {
+            Some(Entry { value: Value::Text(title), .. }) => Some(title.clone()),
+            _ => None,
+        };
+        Ok(Self {
+            title,
+            strands,
+            stiffness_ratio: strand.stiffness_ratio,
+            balance,
+            external_pressure,
+            question,
+            scale: strand.scale,
+            strand_radius: strand.radius,
+            strand_length,
+            units: PreferredUnits::of(spec),
+            origins: Origins::of(spec),
+        })
+    }
+
+    /// What the theory refuses later, said at the place of the datum it comes from.
+    ///
+    /// ```
+    /// use nply_sheet::{ErrorKind, Spec};
+    /// let text = "ply.strands = 3\nstrand.stiffness_ratio = 1\nlay.lay_length = 2\n";
+    /// let case = Spec::from_toml("rope.toml", text)?.check()?;
+    /// let refused = nply::DomainError { quantity: "lay_length", value: 2.0, allowed: "greater than 2 n" };
+    /// let error = case.locate(&refused);
+    /// assert_eq!((error.kind(), error.line(), error.exit_code()), (ErrorKind::Domain, Some(3), 1));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn locate(&self, error: &DomainError) -> SpecError {
+        self.origins.locate(error)
+    }
+}
+
+/// A ply of which only the shape is asked: what `nply contact` needs. Twist, load and stiffnesses may be written, and are not
+/// looked at.
+///
+/// ```
+/// use nply_sheet::{Lay, Spec};
+/// let shape = Spec::from_flags([("strands", "3"), ("lay-length", "30")])?.check_shape()?;
+/// assert_eq!((shape.strands, shape.lay), (3, Some(Lay::LayLength(30.0))));
+/// # Ok::<(), nply_sheet::SpecError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Shape {
+    /// n, 1 (a single tube touching its own next turn) to a million.
+    pub strands: u32,
+    /// The shape given; lengths over r. None for n = 1, whose densest helix is meant.
+    pub lay: Option<Lay>,
+    /// Which way it winds; both if not given.
+    pub hand: Option<Handedness>,
+    /// r in m, where it is given.
+    pub strand_radius: Option<f64>,
+    /// The units the input was written in.
+    pub units: PreferredUnits,
+    origins: Origins,
+}
+
+impl Shape {
+    pub(crate) fn of(spec: &Spec) -> Result<Self, SpecError> {
+        let strands = strands(spec, 1)?;
+        let radius = strand::radius(spec)?;
+        let measure = Measure { spec, radius, scale: None };
+        let (lay, hand) = match lay::of(&measure)? {
+            Some(GivenLay { entry, .. }) if strands == 1 => {
+                let message = format!(
+                    "{}: of a single strand only the densest helix is known, and its shape is found; remove it",
+                    entry.said()
+                );
+                return Err(entry.error(ErrorKind::Contradiction, message));
+            }
+            Some(GivenLay { lay, hand, .. }) => (Some(lay), hand),
+            None if strands == 1 => (None, None),
+            None => {
+                let message = format!(
+                    "the lay is missing: give {}, or {}, {}, {} or {}",
+                    spec.ask_for(Datum::HelicalAngle),
+                    spec.call(Datum::PitchAngle),
+                    spec.call(Datum::LayLength),
+                    spec.call(Datum::LayRatio),
+                    spec.call(Datum::RadiusRatio)
+                );
+                return Err(spec.missing(Datum::HelicalAngle, message));
+            }
+        };
+        let units = PreferredUnits::of(spec);
+        Ok(Self { strands, lay, hand, strand_radius: radius, units, origins: Origins::of(spec) })
+    }
+
+    /// As [`Case::locate`].
+    #[must_use]
+    pub fn locate(&self, error: &DomainError) -> SpecError {
+        self.origins.locate(error)
+    }
+}
+
+/// The entries of a group of which only one can be given.
+fn only_one<'s>(spec: &'s Spec, group: Group, gives: &str) -> Result<Option<&'s Entry>, SpecError> {
+    let mut found = spec.entries.iter().filter(|entry| entry.key.group == Some(group));
+    let first = found.next();
+    match (first, found.next()) {
+        (Some(first), Some(second)) => Err(second.error(
+            ErrorKind::Contradiction,
+            format!("{} and {} both give {gives}: remove one of them", first.said(), second.said()),
+        )),
+        _ => Ok(first),
+    }
+}
+
+/// The number of strands: a whole number, not less than `least` (2 where it has to carry anything).
+fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
+    const MOST: f64 = 1e6;
+    let Some(entry) = spec.get(Datum::Strands) else {
+        let message = format!("the number of strands is missing: give {}, such as 3", spec.ask_for(Datum::Strands));
+        return Err(spec.missing(Datum::Strands, message));
+    };
+    let number = entry.number();
+    let refuse = |why: &str| Err(entry.error(ErrorKind::Domain, format!("{}: {why}", entry.said())));
+    if number <= 0.0 {
+        refuse("a ply needs strands: give 2 or more")
+    } else if libm::trunc(number) < number {
+        refuse("strands cannot be cut into parts: give a whole number, 2 or more")
+    } else if number < f64::from(least) {
+        refuse("a single strand has geometry only, see `nply contact`; for a ply give 2 or more")
+    } else if number > MOST {
+        refuse("more than a million strands are not taken")
+    } else {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "whole and between 2 and a million"
+        )]
+        Ok(number as u32)
+    }
+}
+
+impl Entry {
+    /// The number of a datum, in SI or bare; NaN for one that is no number (its kind rules that out).
+    fn number(&self) -> f64 {
+        match &self.value {
+            Value::Quantity(quantity) => quantity.si(),
+            _ => f64::NAN,
+        }
+    }
+
+    /// Whether it was written with a unit.
+    fn is_measured(&self) -> bool {
+        matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
+    }
+
+    /// The value, if it is greater than zero and finite.
+    fn positive(&self, value: f64) -> Result<f64, SpecError> {
+        if value > 0.0 && value < f64::INFINITY {
+            return Ok(value);
+        }
+        let what = self.key.name.replace('_', " ");
+        Err(self.error(ErrorKind::Domain, format!("{}: a {what} must be greater than 0", self.said())))
+    }
+
+    /// The value, if it is finite still after it was made dimensionless.
+    fn finite(&self, value: f64) -> Result<f64, SpecError> {
+        if value.is_finite() {
+            return Ok(value);
+        }
+        let message = format!("{} is too large to be calculated with, measured by the strand", self.said());
+        Err(self.error(ErrorKind::Domain, message))
+    }
+}

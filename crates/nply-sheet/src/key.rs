@@ -1,0 +1,320 @@
+//! The one list of everything that can be written: keys of the file, flags of the command line.
+
+use crate::Dimension;
+
+/// A table of the input file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Table {
+    /// `[ply]`: number of strands, balance, hand.
+    Ply,
+    /// `[strand]`: size and stiffness of a strand.
+    Strand,
+    /// `[twist]`: the twist put into the strands.
+    Twist,
+    /// `[lay]`: the shape of the ply, where it is given and not asked for.
+    Lay,
+    /// `[load]`: what pulls and turns the ply.
+    Load,
+}
+
+impl Table {
+    /// All tables, in the order in which a file is usually written.
+    pub const ALL: [Self; 5] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load];
+
+    /// The name between the brackets.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ply => "ply",
+            Self::Strand => "strand",
+            Self::Twist => "twist",
+            Self::Lay => "lay",
+            Self::Load => "load",
+        }
+    }
+}
+
+/// The sort of value a key takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A whole number.
+    Count,
+    /// A pure number.
+    Number,
+    /// `contact` or `radial`.
+    Balance,
+    /// `right`, `left`, `Z` or `S`.
+    Hand,
+    /// Free text.
+    Text,
+    /// `true` or `false`; as a flag it needs no value.
+    Switch,
+    /// A length; bare, in strand radii.
+    Length,
+    /// Force times length squared.
+    Stiffness,
+    /// Force per area.
+    Pressure,
+    /// An absolute temperature.
+    Temperature,
+    /// An angle, always with its unit.
+    Angle,
+    /// A number of turns, bare or as an angle.
+    Turns,
+    /// Turns (or another angle) per length; bare, turns per strand radius.
+    TurnsPerLength,
+    /// An angle per length; bare, radians per strand radius.
+    Twist,
+    /// A force; bare, in B/r².
+    Force,
+    /// A moment; bare, in B/r.
+    Moment,
+    /// A force per length; bare, in B/r³.
+    ForcePerLength,
+}
+
+impl Kind {
+    /// What is wanted, with an example, as part of a sentence.
+    #[must_use]
+    pub const fn wanted(self) -> &'static str {
+        match self {
+            Self::Count => "a whole number, such as 3",
+            Self::Number => "a pure number, such as 0.75",
+            Self::Balance => "\"contact\" or \"radial\"",
+            Self::Hand => "\"right\" (Z) or \"left\" (S)",
+            Self::Text => "a text in quotation marks",
+            Self::Switch => "true or false",
+            Self::Length => "a length, such as \"0.5 mm\"",
+            Self::Stiffness => "a stiffness (force times length squared), such as \"50 pN nm^2\"",
+            Self::Pressure => "a pressure, such as \"70 GPa\"",
+            Self::Temperature => "a temperature, such as \"298 K\"",
+            Self::Angle => "an angle, such as \"20 deg\"",
+            Self::Turns => "a number of turns, such as 12 or \"12 turns\"",
+            Self::TurnsPerLength => "turns per length, such as \"200 turns/m\"",
+            Self::Twist => "an angle per length, such as \"200 turns/m\" or \"3 rad/mm\"",
+            Self::Force => "a force, such as \"1.2 kN\"",
+            Self::Moment => "a moment, such as \"4.1 pN nm\"",
+            Self::ForcePerLength => "a force per length, such as \"5 N/mm\"",
+        }
+    }
+
+    /// The dimension its unit must have; `None` for words and switches.
+    #[must_use]
+    pub const fn dimension(self) -> Option<Dimension> {
+        match self {
+            Self::Count | Self::Number => Some(Dimension::NUMBER),
+            Self::Balance | Self::Hand | Self::Text | Self::Switch => None,
+            Self::Length => Some(Dimension::LENGTH),
+            Self::Stiffness => Some(Dimension::STIFFNESS),
+            Self::Pressure => Some(Dimension::PRESSURE),
+            Self::Temperature => Some(Dimension::TEMPERATURE),
+            Self::Angle | Self::Turns => Some(Dimension::ANGLE),
+            Self::TurnsPerLength | Self::Twist => Some(Dimension::ANGLE_PER_LENGTH),
+            Self::Force => Some(Dimension::FORCE),
+            Self::Moment => Some(Dimension::MOMENT),
+            Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
+        }
+    }
+
+    /// Whether a bare number can be meant at all; whether it may stand in a given input depends on what else is given.
+    pub(crate) const fn may_be_bare(self) -> bool {
+        !matches!(self, Self::Stiffness | Self::Pressure | Self::Temperature | Self::Angle)
+    }
+}
+
+/// Data of which only one can be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Group {
+    /// Radius or diameter.
+    Size,
+    /// What gives the bending stiffness B.
+    Bending,
+    /// What gives the torsional stiffness C, or γ.
+    Torsion,
+    /// The twist put in.
+    Twist,
+    /// The shape of the ply.
+    Lay,
+}
+
+/// One datum, whatever it is called on paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "each is the key of the same name; KEYS says what it means")]
+#[non_exhaustive]
+pub enum Datum {
+    Title,
+    Strands,
+    Balance,
+    Hand,
+    Radius,
+    Diameter,
+    BendingStiffness,
+    TorsionalStiffness,
+    StiffnessRatio,
+    YoungsModulus,
+    PoissonsRatio,
+    ShearModulus,
+    BendingPersistenceLength,
+    TwistPersistenceLength,
+    Temperature,
+    StrandLength,
+    Pretwist,
+    SurfaceAngle,
+    TurnsPerLength,
+    Turns,
+    EndRotation,
+    StrandTwist,
+    HelicalAngle,
+    LayAngle,
+    PitchAngle,
+    LayLength,
+    LayRatio,
+    PlyTurnsPerLength,
+    RadiusRatio,
+    CoreRadius,
+    CoreDiameter,
+    Force,
+    Moment,
+    ExternalPressure,
+    Separation,
+}
+
+/// One key: where it stands in the file, its flag, what it means.
+///
+/// ```
+/// use nply_sheet::KEYS;
+/// let key = KEYS.iter().find(|key| key.flag == "ply-turns-per-length").unwrap();
+/// assert_eq!((key.table.name(), key.name), ("lay", "turns_per_length"));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key {
+    /// Which datum it is.
+    pub datum: Datum,
+    /// The table it belongs to.
+    pub table: Table,
+    /// Its name in the file.
+    pub name: &'static str,
+    /// Its flag, without dashes in front.
+    pub flag: &'static str,
+    /// What it takes.
+    pub kind: Kind,
+    /// What it means, on one line.
+    pub help: &'static str,
+    pub(crate) group: Option<Group>,
+}
+
+const fn key(
+    datum: Datum,
+    table: Table,
+    name: &'static str,
+    flag: &'static str,
+    kind: Kind,
+    help: &'static str,
+) -> Key {
+    Key { datum, table, name, flag, kind, help, group: None }
+}
+
+impl Key {
+    const fn one_of(mut self, group: Group) -> Self {
+        self.group = Some(group);
+        self
+    }
+
+    /// The key of a datum.
+    pub(crate) fn of(datum: Datum) -> Option<&'static Self> {
+        KEYS.iter().find(|key| key.datum == datum)
+    }
+}
+
+/// Every key, table by table.
+#[rustfmt::skip] // a table: one row a line
+pub static KEYS: [Key; 35] = [
+    key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
+    key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
+    key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
+    key(Datum::Hand, Table::Ply, "hand", "hand", Kind::Hand, "Which way a given lay winds: right (Z) or left (S); both if absent"),
+
+    key(Datum::Radius, Table::Strand, "radius", "radius", Kind::Length, "Strand radius r").one_of(Group::Size),
+    key(Datum::Diameter, Table::Strand, "diameter", "diameter", Kind::Length, "Strand diameter 2r").one_of(Group::Size),
+    key(Datum::BendingStiffness, Table::Strand, "bending_stiffness", "bending-stiffness", Kind::Stiffness, "Bending stiffness B of a strand").one_of(Group::Bending),
+    key(Datum::TorsionalStiffness, Table::Strand, "torsional_stiffness", "torsional-stiffness", Kind::Stiffness, "Torsional stiffness C of a strand").one_of(Group::Torsion),
+    key(Datum::StiffnessRatio, Table::Strand, "stiffness_ratio", "stiffness-ratio", Kind::Number, "Stiffness ratio C/B, greater than 0").one_of(Group::Torsion),
+    key(Datum::YoungsModulus, Table::Strand, "youngs_modulus", "youngs-modulus", Kind::Pressure, "Young's modulus E of a solid round strand, B = pi E r^4/4").one_of(Group::Bending),
+    key(Datum::PoissonsRatio, Table::Strand, "poissons_ratio", "poissons-ratio", Kind::Number, "Poisson's ratio of a solid round strand, C/B = 1/(1 + nu)").one_of(Group::Torsion),
+    key(Datum::ShearModulus, Table::Strand, "shear_modulus", "shear-modulus", Kind::Pressure, "Shear modulus G of a solid round strand, C = pi G r^4/2").one_of(Group::Torsion),
+    key(Datum::BendingPersistenceLength, Table::Strand, "bending_persistence_length", "bending-persistence-length", Kind::Length, "Bending persistence length A, B = kT A").one_of(Group::Bending),
+    key(Datum::TwistPersistenceLength, Table::Strand, "twist_persistence_length", "twist-persistence-length", Kind::Length, "Twist persistence length C', C = kT C'").one_of(Group::Torsion),
+    key(Datum::Temperature, Table::Strand, "temperature", "temperature", Kind::Temperature, "Temperature T for persistence lengths"),
+    key(Datum::StrandLength, Table::Strand, "length", "strand-length", Kind::Length, "Strand length L; needed for turns and end_rotation"),
+
+    key(Datum::Pretwist, Table::Twist, "pretwist", "pretwist", Kind::Number, "Rotation put into each strand per length, times r; right-handed positive").one_of(Group::Twist),
+    key(Datum::SurfaceAngle, Table::Twist, "surface_angle", "surface-angle", Kind::Angle, "Angle chi of a stripe on the straight strand, pretwist = tan chi").one_of(Group::Twist),
+    key(Datum::TurnsPerLength, Table::Twist, "turns_per_length", "turns-per-length", Kind::TurnsPerLength, "Turns put into each strand per length").one_of(Group::Twist),
+    key(Datum::Turns, Table::Twist, "turns", "turns", Kind::Turns, "Turns put into each strand over its length").one_of(Group::Twist),
+    key(Datum::EndRotation, Table::Twist, "end_rotation", "end-rotation", Kind::Angle, "Rotation put into each strand over its length").one_of(Group::Twist),
+    key(Datum::StrandTwist, Table::Twist, "strand_twist", "strand-twist", Kind::Twist, "Twist u3 of the strands in the ply itself; bare, r u3").one_of(Group::Twist),
+
+    key(Datum::HelicalAngle, Table::Lay, "helical_angle", "helical-angle", Kind::Angle, "Angle of the strands to the ply axis, 0 up to 90 deg").one_of(Group::Lay),
+    key(Datum::LayAngle, Table::Lay, "lay_angle", "lay-angle", Kind::Angle, "The same as helical_angle").one_of(Group::Lay),
+    key(Datum::PitchAngle, Table::Lay, "pitch_angle", "pitch-angle", Kind::Angle, "90 deg less the helical angle").one_of(Group::Lay),
+    key(Datum::LayLength, Table::Lay, "lay_length", "lay-length", Kind::Length, "Ply length of one turn of a strand").one_of(Group::Lay),
+    key(Datum::LayRatio, Table::Lay, "lay_ratio", "lay-ratio", Kind::Number, "Lay length over the outer diameter of the ply").one_of(Group::Lay),
+    key(Datum::PlyTurnsPerLength, Table::Lay, "turns_per_length", "ply-turns-per-length", Kind::TurnsPerLength, "Turns of the ply per ply length; right-handed positive").one_of(Group::Lay),
+    key(Datum::RadiusRatio, Table::Lay, "radius_ratio", "radius-ratio", Kind::Number, "Helix radius of the strands over the strand radius, R/r").one_of(Group::Lay),
+    key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core the strands lie on, R = core radius + r").one_of(Group::Lay),
+    key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core the strands lie on").one_of(Group::Lay),
+
+    key(Datum::Force, Table::Load, "force", "force", Kind::Force, "End force on the ply, tension positive"),
+    key(Datum::Moment, Table::Load, "moment", "moment", Kind::Moment, "End moment on the ply, right-handed positive"),
+    key(Datum::ExternalPressure, Table::Load, "external_pressure", "external-pressure", Kind::ForcePerLength, "Radial force per strand length from outside, outward positive"),
+    key(Datum::Separation, Table::Load, "separation", "separation", Kind::Switch, "Find the load at which the strands just stop pressing on each other"),
+];
+
+/// The name among `known` that is nearest to what was written, if it is near enough to have been meant.
+pub(crate) fn nearest<'n>(written: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let lower = written.to_lowercase().replace('-', "_");
+    let enough = (written.chars().count() / 3).max(1);
+    known
+        .map(|name| (strsim::damerau_levenshtein(&lower, &name.replace('-', "_")), name))
+        .filter(|(distance, _)| *distance <= enough)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_key_stands_once_in_the_list() {
+        for (at, key) in KEYS.iter().enumerate() {
+            for other in &KEYS[at + 1..] {
+                assert_ne!(key.datum, other.datum);
+                assert_ne!(key.flag, other.flag);
+                assert_ne!((key.table, key.name), (other.table, other.name));
+            }
+        }
+    }
+
+    #[test]
+    fn a_flag_is_its_key_with_dashes_but_where_two_keys_share_a_name() {
+        for key in &KEYS {
+            let same = key.name.replace('_', "-");
+            match key.datum {
+                Datum::StrandLength => assert_eq!(key.flag, "strand-length"),
+                Datum::PlyTurnsPerLength => assert_eq!(key.flag, "ply-turns-per-length"),
+                _ => assert_eq!(key.flag, same),
+            }
+        }
+    }
+
+    #[test]
+    fn only_what_is_near_is_proposed() {
+        let names = || KEYS.iter().map(|key| key.name);
+        assert_eq!(nearest("pretwst", names()), Some("pretwist"));
+        assert_eq!(nearest("Young-modulus", names()), Some("youngs_modulus"));
+        assert_eq!(nearest("colour", names()), None);
+        assert_eq!(nearest("", names()), None);
+    }
+}

@@ -1,0 +1,46 @@
+//! The paperwork of nply: what a person writes in, what a person reads out. Text in, text out; no files, no printing.
+//!
+//! A text becomes a [`Spec`] (what was written, and where), a spec becomes a [`Case`] (dimensionless numbers and one question):
+//!
+//! ```
+//! use nply_sheet::{Question, Spec};
+//! let text = "[ply]\nstrands = 3\n[strand]\nstiffness_ratio = 0.75\n[twist]\npretwist = -1\n";
+//! let case = Spec::from_toml("ply.toml", text)?.check()?;
+//! assert_eq!(case.strands, 3);
+//! assert!(matches!(case.question, Question::States { .. }));
+//! # Ok::<(), nply_sheet::SpecError>(())
+//! ```
+#![warn(missing_docs)]
+
+mod case;
+mod diagnostic;
+mod dimension;
+mod double;
+mod key;
+mod preferred;
+mod quantity;
+mod report;
+mod solve;
+mod spec;
+mod unit;
+
+pub use case::{Case, Lay, Question, Shape};
+pub use diagnostic::{ErrorKind, Place, SpecError};
+pub use dimension::Dimension;
+pub use key::{Datum, KEYS, Key, Kind, Table};
+pub use preferred::PreferredUnits;
+pub use quantity::{Quantity, QuantityError};
+pub use report::{COLUMNS, Column, Known, Measure, Reading, Report, Section, ShapeReport};
+pub use solve::Solution;
+pub use spec::Spec;
+pub use unit::Unit;
+
+/// What was read, in quotation marks, without control characters and not longer than a line.
+fn quoted(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let mut shown: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        shown.push('…');
+    }
+    format!("\"{shown}\"")
+}

@@ -1,0 +1,209 @@
+//! The units in which a report answers: those of the person who asked.
+
+use crate::spec::{Spec, Value};
+use crate::{Datum, Dimension, Quantity, Unit};
+
+/// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value.
+///
+/// Strand and core sizes go before the strand length, which is often in metres where all else is in millimetres.
+///
+/// ```
+/// use nply_sheet::{Dimension, PreferredUnits, Spec};
+/// let spec = Spec::from_flags([("radius", "0.5 mm"), ("force", "20 cN")])?;
+/// let units = PreferredUnits::of(&spec);
+/// assert_eq!(units.format(Dimension::LENGTH, 3.2e-3), "3.2 mm");
+/// assert_eq!(units.format(Dimension::MOMENT, 1e-5), "1 cN mm"); // the two units together
+/// assert_eq!(PreferredUnits::default().format(Dimension::FORCE, 1234.0), "1.234 kN");
+/// # Ok::<(), nply_sheet::SpecError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PreferredUnits {
+    written: Vec<Unit>,
+}
+
+/// The units a value without a written one may be given in, from small to large.
+fn ladder(dimension: Dimension) -> &'static [&'static str] {
+    match dimension {
+        Dimension::LENGTH => &["nm", "µm", "mm", "m"],
+        Dimension::FORCE => &["pN", "nN", "µN", "mN", "N", "kN", "MN"],
+        Dimension::MOMENT => &["pN nm", "pN µm", "nN µm", "nN mm", "µN mm", "mN mm", "N mm", "N m", "kN m", "MN m"],
+        Dimension::STIFFNESS => {
+            &["pN nm^2", "pN µm^2", "nN µm^2", "nN mm^2", "µN mm^2", "mN mm^2", "N mm^2", "N m^2", "kN m^2", "MN m^2"]
+        }
+        Dimension::FORCE_PER_LENGTH => &["µN/m", "mN/m", "N/m", "N/mm", "kN/mm"],
+        Dimension::ANGLE_PER_LENGTH => &["turns/m", "turns/mm", "turns/µm", "turns/nm"],
+        Dimension::PRESSURE => &["Pa", "kPa", "MPa", "GPa"],
+        Dimension::ANGLE => &["deg"],
+        _ => &[],
+    }
+}
+
+impl PreferredUnits {
+    /// The units written in an input.
+    #[must_use]
+    pub fn of(spec: &Spec) -> Self {
+        let (last, first): (Vec<_>, Vec<_>) = spec.entries.iter().partition(|entry| {
+            matches!(
+                entry.key.datum,
+                Datum::StrandLength | Datum::BendingPersistenceLength | Datum::TwistPersistenceLength
+            )
+        });
+        let mut written: Vec<Unit> = Vec::new();
+        for entry in first.into_iter().chain(last) {
+            if let Value::Quantity(Quantity::Measured { unit, .. }) = &entry.value
+                && written.iter().all(|known| known.dimension() != unit.dimension())
+            {
+                written.push(unit.clone());
+            }
+        }
+        Self { written }
+    }
+
+    /// The unit that was written for this dimension, if one was.
+    #[must_use]
+    pub fn written(&self, dimension: Dimension) -> Option<&Unit> {
+        self.written.iter().find(|unit| unit.dimension() == dimension)
+    }
+
+    /// The unit for a value (or for the largest of a column of values), in SI: the written one; else the written force and length
+    /// together, where both were written and make one; else by the value's size.
+    ///
+    /// ```
+    /// use nply_sheet::{Dimension, PreferredUnits};
+    /// let units = PreferredUnits::default();
+    /// let unit = units.unit(Dimension::LENGTH, 2.9e-9);
+    /// assert_eq!((unit.as_str(), unit.of_si(2.9e-9)), ("nm", 2.9));
+    /// ```
+    #[must_use]
+    pub fn unit(&self, dimension: Dimension, si: f64) -> Unit {
+        if let Some(unit) = self.written(dimension) {
+            return unit.clone();
+        }
+        if let (Some(force), Some(length)) = (self.written(Dimension::FORCE), self.written(Dimension::LENGTH)) {
+            let together = match dimension {
+                Dimension::MOMENT => Some(format!("{force} {length}")),
+                Dimension::STIFFNESS => Some(format!("{force} {length}^2")),
+                Dimension::FORCE_PER_LENGTH => Some(format!("{force}/{length}")),
+                _ => None,
+            };
+            // a unit written as `N*m/m` does not take another part; then the size decides
+            if let Some(unit) = together.and_then(|text| Unit::parse(&text).ok())
+                && unit.dimension() == dimension
+            {
+                return unit;
+            }
+        }
+        let mut chosen = Unit::si(dimension);
+        for (step, text) in ladder(dimension).iter().enumerate() {
+            if let Ok(unit) = Unit::parse(text)
+                && (step == 0 || unit.of_si(si).abs() >= 0.9999)
+            {
+                chosen = unit;
+            }
+        }
+        // nothing is known of the size of zero
+        if si == 0.0 && !ladder(dimension).is_empty() && dimension != Dimension::ANGLE {
+            Unit::si(dimension)
+        } else {
+            chosen
+        }
+    }
+
+    /// A value in SI as text, with six significant digits and its unit.
+    #[must_use]
+    pub fn format(&self, dimension: Dimension, si: f64) -> String {
+        let unit = self.unit(dimension, si);
+        format!("{} {unit}", six_digits(unit.of_si(si)))
+    }
+}
+
+/// Six significant digits, no zeros at the end, an exponent only where the digits would run away.
+pub(crate) fn six_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let size = rounded.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e7).contains(&size) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn units(flags: &[(&str, &str)]) -> PreferredUnits {
+        PreferredUnits::of(&Spec::from_flags(flags.iter().copied()).unwrap())
+    }
+
+    #[test]
+    fn every_step_of_a_ladder_is_a_unit_of_its_dimension_and_larger_than_the_last() {
+        let dimensions = [
+            Dimension::LENGTH,
+            Dimension::FORCE,
+            Dimension::MOMENT,
+            Dimension::STIFFNESS,
+            Dimension::FORCE_PER_LENGTH,
+            Dimension::ANGLE_PER_LENGTH,
+            Dimension::PRESSURE,
+            Dimension::ANGLE,
+        ];
+        for dimension in dimensions {
+            let mut last = 0.0;
+            for text in ladder(dimension) {
+                let unit = Unit::parse(text).unwrap();
+                assert_eq!(unit.dimension(), dimension, "{text}");
+                assert!(unit.to_si(1.0) > last, "{text}");
+                last = unit.to_si(1.0);
+            }
+            let si = Unit::si(dimension);
+            assert_eq!(si.dimension(), dimension);
+            assert_eq!(Unit::parse(si.as_str()).unwrap().dimension(), dimension);
+        }
+    }
+
+    #[test]
+    fn the_size_decides_where_nothing_was_written() {
+        let units = PreferredUnits::default();
+        for (dimension, si, text) in [
+            (Dimension::LENGTH, 2.9e-9, "2.9 nm"),
+            (Dimension::LENGTH, 1e-12, "0.001 nm"),
+            (Dimension::LENGTH, 1e-6, "1 µm"),
+            (Dimension::LENGTH, -0.0125, "-12.5 mm"),
+            (Dimension::LENGTH, 0.0, "0 m"),
+            (Dimension::FORCE, 5e6, "5 MN"),
+            (Dimension::FORCE, 2e-12, "2 pN"),
+            (Dimension::MOMENT, 4.1e-21, "4.1 pN nm"),
+            (Dimension::MOMENT, 3.0, "3 N m"),
+            (Dimension::STIFFNESS, 2e-28, "200 pN nm^2"),
+            (Dimension::ANGLE_PER_LENGTH, 200.0 * core::f64::consts::TAU, "200 turns/m"),
+            (Dimension::ANGLE_PER_LENGTH, 3.3e7 * core::f64::consts::TAU, "33 turns/µm"),
+            (Dimension::FORCE_PER_LENGTH, 5e3, "5 N/mm"),
+            (Dimension::LENGTH, 1.0 / 3.0, "333.333 mm"),
+        ] {
+            assert_eq!(units.format(dimension, si), text);
+        }
+    }
+
+    #[test]
+    fn the_first_written_unit_wins_but_the_strand_length_comes_last() {
+        let units = units(&[
+            ("strand-length", "2 m"),
+            ("diameter", "0.1 in"),
+            ("lay-length", "3 mm"),
+            ("turns-per-length", "5 tpi"),
+        ]);
+        assert_eq!(units.format(Dimension::LENGTH, 0.0254), "1 in");
+        assert_eq!(units.format(Dimension::ANGLE_PER_LENGTH, 7.0 * core::f64::consts::TAU / 0.0254), "7 tpi");
+        assert!(units.written(Dimension::FORCE).is_none());
+    }
+
+    #[test]
+    fn force_and_length_written_apart_go_together() {
+        let units = units(&[("radius", "1 nm"), ("force", "3 pN")]);
+        assert_eq!(units.format(Dimension::STIFFNESS, 2e-28), "200 pN nm^2");
+        assert_eq!(units.format(Dimension::FORCE_PER_LENGTH, 1e-3), "1 pN/nm");
+    }
+}

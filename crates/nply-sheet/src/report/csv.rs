@@ -1,0 +1,40 @@
+//! The report as a table for a spreadsheet: one row a state.
+
+use super::{COLUMNS, Report};
+
+impl Report {
+    /// A header and one row a state. Columns are named as in JSON; those in SI, where the scale is known, have their unit
+    /// behind the name, as `lay_length_m`.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let si: Vec<_> = COLUMNS.iter().filter_map(|c| Some((c, c.measure.si(self.known())?))).collect();
+        let mut head: Vec<String> =
+            ["strands", "stiffness_ratio", "balance", "state", "handedness", "separated", "fold"]
+                .map(String::from)
+                .into();
+        head.extend(COLUMNS.iter().map(|column| column.name.to_owned()));
+        head.extend(si.iter().map(|(column, (_, unit))| format!("{}_{}", column.name, unit_suffix(unit))));
+        let mut out = head.join(",") + "\n";
+        for (i, state) in self.solution.states.iter().enumerate() {
+            let mut cells = vec![
+                self.case.strands.to_string(),
+                self.case.stiffness_ratio.to_string(),
+                self.case.balance.name().to_owned(),
+                (i + 1).to_string(),
+                state.handedness().sign().to_string(),
+                (state.is_separated() && !super::at_separation(&self.case)).to_string(),
+                state.is_fold().to_string(),
+            ];
+            let text = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:?}"));
+            cells.extend(COLUMNS.iter().map(|column| text(column.of(state))));
+            cells.extend(si.iter().map(|(column, (factor, _))| text(column.of(state).map(|v| v * factor))));
+            out += &(cells.join(",") + "\n");
+        }
+        out
+    }
+}
+
+/// A unit as part of a name: `N m^2` as `N_m2`, `rad/(N m)` as `rad_per_N_m`.
+fn unit_suffix(unit: &str) -> String {
+    unit.replace("1/", "per_").replace('/', "_per_").replace(' ', "_").replace(['^', '(', ')'], "")
+}

@@ -1,0 +1,150 @@
+//! What kind of number a column holds: its unit when dimensionless, in SI, and in the reader's own units.
+
+use core::f64::consts::TAU;
+
+use nply::Scale;
+
+use crate::{Dimension, PreferredUnits};
+
+/// The dimension of a reported quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Measure {
+    /// A pure number.
+    Number,
+    /// A pure number, in hundredths.
+    Percent,
+    /// Degrees.
+    Degrees,
+    /// A length, in r.
+    Length,
+    /// Radians per length, in 1/r; turns per length where a person reads it.
+    TurnsPerLength,
+    /// Curvature, in 1/r.
+    PerLength,
+    /// A force, in B/r².
+    Force,
+    /// A moment, in B/r.
+    Moment,
+    /// A force per length, in B/r³.
+    ForcePerLength,
+    /// A stiffness against torsion, in B.
+    Stiffness,
+    /// Radians per force, in r²/B; degrees where a person reads it.
+    AnglePerForce,
+    /// Radians per moment, in r/B; degrees where a person reads it.
+    AnglePerMoment,
+}
+
+/// What a person reads: a factor on the dimensionless value, and the unit's name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// Times the dimensionless value.
+    pub factor: f64,
+    /// The unit's name, empty for a pure number.
+    pub unit: String,
+}
+
+/// The sizes that are known: r in m and perhaps B in N m².
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Known {
+    /// r and B.
+    pub scale: Option<Scale>,
+    /// r alone, m.
+    pub strand_radius: Option<f64>,
+}
+
+impl Measure {
+    /// The factor to SI and the SI unit, for what has a dimension whose scale is known.
+    #[must_use]
+    pub fn si(self, known: Known) -> Option<(f64, &'static str)> {
+        let scale = known.scale;
+        Some(match self {
+            Self::Number | Self::Percent | Self::Degrees => return None,
+            Self::Length => (known.strand_radius?, "m"),
+            Self::TurnsPerLength => (1.0 / known.strand_radius?, "rad/m"),
+            Self::PerLength => (1.0 / known.strand_radius?, "1/m"),
+            Self::Force => (scale?.force(1.0), "N"),
+            Self::Moment => (scale?.moment(1.0), "N m"),
+            Self::ForcePerLength => (scale?.force_per_length(1.0), "N/m"),
+            Self::Stiffness => (scale?.stiffness(1.0), "N m^2"),
+            Self::AnglePerForce => (1.0 / scale?.force(1.0), "rad/N"),
+            Self::AnglePerMoment => (1.0 / scale?.moment(1.0), "rad/(N m)"),
+        })
+    }
+
+    /// How a person reads values of which `largest` is the largest: in their own units where the scale is known.
+    #[must_use]
+    pub fn reading(self, known: Known, units: &PreferredUnits, largest: f64) -> Reading {
+        let dimension = match self {
+            Self::Number | Self::Percent | Self::Degrees => None,
+            Self::Length => Some(Dimension::LENGTH),
+            Self::TurnsPerLength => Some(Dimension::ANGLE_PER_LENGTH),
+            Self::PerLength => Some(Dimension::PER_LENGTH),
+            Self::Force | Self::AnglePerForce => Some(Dimension::FORCE),
+            Self::Moment | Self::AnglePerMoment => Some(Dimension::MOMENT),
+            Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
+            Self::Stiffness => Some(Dimension::STIFFNESS),
+        };
+        let per_load = matches!(self, Self::AnglePerForce | Self::AnglePerMoment);
+        let (Some(dimension), Some((si, _))) = (dimension, self.si(known)) else {
+            return self.dimensionless();
+        };
+        if per_load {
+            // degrees per unit of the load, whose size is the natural one where none was written
+            let unit = units.unit(dimension, 1.0 / si);
+            return Reading { factor: (si * unit.to_si(1.0)).to_degrees(), unit: per("deg", &unit.to_string()) };
+        }
+        if self == Self::PerLength {
+            let unit = units.unit(Dimension::LENGTH, 1.0 / si);
+            return Reading { factor: si * unit.to_si(1.0), unit: per("1", &unit.to_string()) };
+        }
+        // where all are zero, the unit is that of the natural size
+        let unit = units.unit(dimension, si * if largest > 0.0 { largest } else { 1.0 });
+        Reading { factor: unit.of_si(si), unit: unit.to_string() }
+    }
+
+    fn dimensionless(self) -> Reading {
+        let (factor, unit) = match self {
+            Self::Number => (1.0, ""),
+            Self::Percent => (1.0, "%"),
+            Self::Degrees => (1.0, "deg"),
+            Self::Length => (1.0, "r"),
+            Self::TurnsPerLength => (1.0 / TAU, "turns/r"),
+            Self::PerLength => (1.0, "1/r"),
+            Self::Force => (1.0, "B/r²"),
+            Self::Moment => (1.0, "B/r"),
+            Self::ForcePerLength => (1.0, "B/r³"),
+            Self::Stiffness => (1.0, "B"),
+            Self::AnglePerForce => (1_f64.to_degrees(), "deg r²/B"),
+            Self::AnglePerMoment => (1_f64.to_degrees(), "deg r/B"),
+        };
+        Reading { factor, unit: unit.to_owned() }
+    }
+}
+
+/// A unit below another: `deg/N`, `deg/(N mm)`.
+fn per(above: &str, below: &str) -> String {
+    let single = below.chars().all(char::is_alphanumeric);
+    if single { format!("{above}/{below}") } else { format!("{above}/({below})") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reader_gets_their_own_units() {
+        let scale = Scale::new(1e-3, 2e-6).unwrap(); // 1 mm, 2 N mm²: forces in 2 N
+        let known = Known { scale: Some(scale), strand_radius: Some(1e-3) };
+        let units = PreferredUnits::default();
+        let force = Measure::Force.reading(known, &units, 0.5);
+        assert_eq!((force.factor, force.unit.as_str()), (2.0, "N"));
+        let angle = Measure::AnglePerForce.reading(known, &units, 1.0);
+        assert!((angle.factor - 1_f64.to_degrees() / 2.0).abs() < 1e-12, "{angle:?}");
+        assert_eq!(angle.unit, "deg/N");
+        let turns = Measure::TurnsPerLength.reading(known, &units, TAU);
+        assert!((turns.factor * TAU - 1.0).abs() < 1e-12 && turns.unit == "turns/mm", "{turns:?}");
+        assert_eq!(Measure::Moment.reading(Known::default(), &units, 1.0).unit, "B/r");
+    }
+}

@@ -1,0 +1,141 @@
+//! What a person reads out: one report, rendered as a table, as JSON or as CSV.
+
+mod column;
+mod csv;
+mod json;
+mod measure;
+mod shape;
+mod text;
+
+use nply::Handedness;
+use nply::mechanics::Equilibrium;
+
+pub use column::{COLUMNS, Column, Section};
+pub use measure::{Known, Measure, Reading};
+pub use shape::ShapeReport;
+
+use crate::{Case, Question, SpecError, solve::Solution};
+
+/// The states of a case and all that is said of them. Nothing in it is text yet but for the notes.
+///
+/// ```
+/// use nply_sheet::{Report, Spec};
+/// let flags = [("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-1")];
+/// let report = Report::of(Spec::from_flags(flags)?.check()?)?;
+/// assert!(report.text(false).contains("30.613"));
+/// let json: serde_json::Value = serde_json::from_str(&report.json())?;
+/// assert_eq!(json["states"][0]["handedness"], 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// What was asked.
+    pub case: Case,
+    /// The answer.
+    pub solution: Solution,
+    /// What a reader should know about this answer, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Angles of the two balances that differ by more than this (degrees) are pointed out.
+const NOTEWORTHY: f64 = 0.1;
+
+impl Report {
+    /// Solves a case and reports on it.
+    ///
+    /// # Errors
+    /// [`SpecError`] where the theory refuses a premise, at the place of the datum it comes from.
+    pub fn of(case: Case) -> Result<Self, SpecError> {
+        let solution = case.solve().map_err(|error| case.locate(&error))?;
+        let notes = notes(&case, &solution);
+        Ok(Self { case, solution, notes })
+    }
+
+    fn known(&self) -> Known {
+        Known { scale: self.case.scale, strand_radius: self.case.strand_radius }
+    }
+}
+
+/// The quantity a question finds besides the shape, by its column's name.
+fn found(question: Question) -> Option<&'static str> {
+    match question {
+        Question::States { .. } => None,
+        Question::MomentAt { .. } | Question::SeparationAtForce { .. } => Some("moment"),
+        Question::ForceAt { .. } | Question::SeparationAtMoment { .. } => Some("force"),
+        Question::PretwistAt { .. } => Some("pretwist"),
+    }
+}
+
+fn notes(case: &Case, solution: &Solution) -> Vec<String> {
+    let mut notes = Vec::new();
+    if solution.states.is_empty() {
+        notes.push("No state: no helical angle of either hand is in equilibrium with these data.".to_owned());
+    }
+    if solution.straight == Some(true) {
+        notes.push(
+            "Straight strands side by side are in equilibrium too: the end moment is the one that holds the pretwisted \
+             strands, nγφ̄a."
+                .to_owned(),
+        );
+    }
+    let separated: Vec<String> = numbers(&solution.states, Equilibrium::is_separated);
+    if !separated.is_empty() && found(case.question).is_none_or(|name| name == "pretwist" || !at_separation(case)) {
+        notes.push(format!(
+            "{} {} separated: touching neighbours would have to pull on each other (p₁ < 0).",
+            states(&separated),
+            if separated.len() == 1 { "is" } else { "are" },
+        ));
+    }
+    let folds = numbers(&solution.states, Equilibrium::is_fold);
+    if !folds.is_empty() {
+        notes.push(format!(
+            "{} {} at a fold: two states meet there, and its response to a change of load is unbounded.",
+            states(&folds),
+            if folds.len() == 1 { "is" } else { "are" },
+        ));
+    }
+    if let Some(others) = &solution.other_balance {
+        notes.extend(difference(case, &solution.states, others));
+    }
+    notes
+}
+
+fn at_separation(case: &Case) -> bool {
+    matches!(case.question, Question::SeparationAtForce { .. } | Question::SeparationAtMoment { .. })
+}
+
+/// The numbers, from 1, of the states for which something holds.
+fn numbers(states: &[Equilibrium], holds: impl Fn(&Equilibrium) -> bool) -> Vec<String> {
+    states.iter().enumerate().filter(|(_, s)| holds(s)).map(|(i, _)| (i + 1).to_string()).collect()
+}
+
+fn states(numbers: &[String]) -> String {
+    format!("State{} {}", if numbers.len() == 1 { "" } else { "s" }, numbers.join(", "))
+}
+
+/// One line where the balances differ noticeably, with both angles.
+fn difference(case: &Case, own: &[Equilibrium], others: &[Equilibrium]) -> Option<String> {
+    let name = case.balance.name();
+    let other_name = if name == "contact" { "radial" } else { "contact" };
+    let degrees = |state: &Equilibrium| state.contact().angle().degrees();
+    let mut differing = Vec::new();
+    for hand in Handedness::BOTH {
+        let of = |states: &[Equilibrium]| -> Vec<f64> {
+            states.iter().filter(|s| s.handedness() == hand).map(degrees).collect()
+        };
+        let (own, others) = (of(own), of(others));
+        if own.len() == others.len() {
+            let pairs = own.iter().zip(&others).filter(|(a, b)| (*a - *b).abs() > NOTEWORTHY);
+            differing.extend(pairs.map(|(a, b)| format!("{a:.3}° ({name}), {b:.3}° ({other_name})")));
+        } else {
+            let list = |angles: &[f64]| match angles {
+                [] => "none".to_owned(),
+                _ => angles.iter().map(|a| format!("{a:.3}°")).collect::<Vec<_>>().join(" and "),
+            };
+            let side = if hand == Handedness::Right { "right" } else { "left" };
+            differing.push(format!("{side}-handed {} ({name}), {} ({other_name})", list(&own), list(&others)));
+        }
+    }
+    (!differing.is_empty()).then(|| format!("The balances differ: {}.", differing.join("; ")))
+}

@@ -1,0 +1,139 @@
+//! The table people read in a terminal: quantities down, states across.
+
+use core::fmt::Write as _;
+
+use super::{COLUMNS, Column, Known, Report, found};
+use crate::preferred::six_digits;
+use crate::{Case, PreferredUnits};
+use nply::Handedness;
+use nply::mechanics::Equilibrium;
+
+/// Headings stand out where a terminal can show it.
+pub(super) struct Emphasis(pub(super) bool);
+
+impl Emphasis {
+    pub(super) fn heading(&self, text: &str) -> String {
+        if self.0 { format!("\u{1b}[1m{text}\u{1b}[0m") } else { text.to_owned() }
+    }
+}
+
+/// A row before it is laid out: label, unit, one cell a state.
+pub(super) struct Row {
+    pub(super) label: String,
+    pub(super) unit: String,
+    pub(super) cells: Vec<String>,
+}
+
+impl Report {
+    /// The report as an aligned table, with bold headings if `emphasis`.
+    #[must_use]
+    pub fn text(&self, emphasis: bool) -> String {
+        let emphasis = Emphasis(emphasis);
+        let mut out = String::new();
+        let _ = writeln!(out, "{}", emphasis.heading(&headline(&self.case)));
+        let states = &self.solution.states;
+        if !states.is_empty() {
+            let mut parts: Vec<(&str, Vec<Row>)> = vec![(
+                "",
+                vec![
+                    row("state", "", (1..=states.len()).map(|i| i.to_string())),
+                    row("hand", "", states.iter().map(|s| hand(s.handedness()).to_owned())),
+                    row("strands", "", states.iter().map(|s| self.touch(s).to_owned())),
+                ],
+            )];
+            for column in COLUMNS.iter().filter(|column| !column.label.is_empty()) {
+                let Some(row) = self.row(column) else { continue };
+                let heading = column.section.heading();
+                match parts.last_mut() {
+                    Some((last, rows)) if *last == heading => rows.push(row),
+                    _ => parts.push((heading, vec![row])),
+                }
+            }
+            lay_out(&mut out, &parts, &emphasis);
+        }
+        for note in &self.notes {
+            let _ = writeln!(out, "\n{note}");
+        }
+        out
+    }
+
+    /// The row of a column; none for lengths per strand radius that repeat a pure number, or where no state has a value.
+    fn row(&self, column: &Column) -> Option<Row> {
+        let states = &self.solution.states;
+        let repeats = matches!(column.name, "ply_radius" | "pretwist_per_length" | "strand_twist_per_length");
+        if repeats && column.measure.si(self.known()).is_none() {
+            return None;
+        }
+        let values: Vec<Option<f64>> = states.iter().map(|state| column.of(state)).collect();
+        let mark = if found(self.case.question) == Some(column.name) { " (found)" } else { "" };
+        of_values(&format!("{}{mark}", column.label), column, &values, self.known(), &self.case.units)
+    }
+
+    fn touch(&self, state: &Equilibrium) -> &'static str {
+        if super::at_separation(&self.case) {
+            "just touching"
+        } else if state.is_separated() {
+            "separated"
+        } else {
+            "touching"
+        }
+    }
+}
+
+fn row(label: &str, unit: &str, cells: impl Iterator<Item = String>) -> Row {
+    Row { label: label.to_owned(), unit: unit.to_owned(), cells: cells.collect() }
+}
+
+/// A row of values in the reader's units; none if there is no value at all.
+fn of_values(
+    label: &str,
+    column: &Column,
+    values: &[Option<f64>],
+    known: Known,
+    units: &PreferredUnits,
+) -> Option<Row> {
+    let largest = values.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+    let reading = column.measure.reading(known, units, largest);
+    let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * reading.factor));
+    values.iter().any(Option::is_some).then(|| Row {
+        label: label.to_owned(),
+        unit: reading.unit.clone(),
+        cells: values.iter().map(cell).collect(),
+    })
+}
+
+pub(super) const fn hand(handedness: Handedness) -> &'static str {
+    match handedness {
+        Handedness::Right => "right (Z)",
+        Handedness::Left => "left (S)",
+    }
+}
+
+/// Title, and what the whole report holds for.
+fn headline(case: &Case) -> String {
+    let title = case.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
+    let gamma = six_digits(case.stiffness_ratio);
+    format!("{title}{} strands, stiffness ratio {gamma}, {} balance", case.strands, case.balance.name())
+}
+
+/// Labels to the left, numbers to the right, units between.
+pub(super) fn lay_out(out: &mut String, parts: &[(&str, Vec<Row>)], emphasis: &Emphasis) {
+    let rows = || parts.iter().flat_map(|(_, rows)| rows);
+    let width = |text: &str| text.chars().count();
+    let label = rows().map(|r| width(&r.label)).max().unwrap_or(0);
+    let unit = rows().map(|r| width(&r.unit)).max().unwrap_or(0);
+    let cell = rows().flat_map(|r| &r.cells).map(|c| width(c)).max().unwrap_or(0);
+    for (heading, rows) in parts {
+        let _ = writeln!(out);
+        if !heading.is_empty() {
+            let _ = writeln!(out, "{}", emphasis.heading(heading));
+        }
+        for row in rows {
+            let _ = write!(out, "  {:label$}  {:unit$}", row.label, row.unit);
+            for text in &row.cells {
+                let _ = write!(out, "  {text:>cell$}");
+            }
+            let _ = writeln!(out);
+        }
+    }
+}
