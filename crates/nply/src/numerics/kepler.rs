@@ -98,7 +98,7 @@ fn inverse_series(residual: f64, f1: f64, f2: f64, f3: f64) -> f64 {
 /// (sin, cos) turned on by a small angle d, |d| < 1e-4: the first term left out is d⁴/24.
 #[inline(always)]
 fn turn(sin: f64, cos: f64, d: f64) -> (f64, f64) {
-    let (even, odd) = (0.5 * d * d, d * (1.0 - d * d / 6.0));
+    let (even, odd) = (0.5 * d * d, d * (1.0 - d * d * (1.0 / 6.0)));
     (sin + (cos * odd - sin * even), cos - (sin * odd + cos * even))
 }
 
