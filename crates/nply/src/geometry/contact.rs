@@ -58,6 +58,22 @@ impl Contact {
         Ok(Self::at(strands, angle))
     }
 
+    /// Two strands in line contact at any angle: the trivial branch of Figure 1 (x = 0, ρ = 1).
+    ///
+    /// Up to π/4 it is the main branch; above it the strands penetrate each other, and it is of interest as the continuation
+    /// that Figure 6 shows.
+    ///
+    /// ```
+    /// use nply::geometry::{Contact, HelicalAngle};
+    /// let steep = HelicalAngle::new(0.6)?;
+    /// assert_eq!(Contact::line(steep), Contact::at_angle(2, steep)?);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn line(angle: HelicalAngle) -> Self {
+        Self { strands: 2, angle, half: HalfAnomaly::LINE, gap: angle.cos() * angle.cos() }
+    }
+
     /// As [`at_angle`](Self::at_angle), for strands known to be at least two.
     #[inline(always)] // the angle and the contact stay in registers
     pub(crate) fn at(strands: u32, angle: HelicalAngle) -> Self {

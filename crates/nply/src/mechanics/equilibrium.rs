@@ -186,7 +186,9 @@ impl Ply {
     ) -> Result<(), DomainError> {
         self.check(twist, load)?;
         let weights = weights(self.stiffness_ratio(), twist, load);
-        let state = |handedness, at| found(self.state(at, handedness, twist, load));
+        let state = |handedness, at: Solution| {
+            found(self.state(Contact::at(self.strands(), at.angle), at.double, handedness, twist, load));
+        };
         if self.external_pressure() == 0.0 {
             self.atlas().solve(weights, state);
         } else {
@@ -230,14 +232,19 @@ impl Ply {
     ) -> Result<Equilibrium, DomainError> {
         let load = Load { force, moment: 0.0 };
         let moment = self.missing(
-            angle,
+            Contact::at(self.strands(), angle),
             handedness,
             twist,
             load,
             4,
             "an angle at which the moment does work: not that of the most turns (q = 1)",
         )?;
-        self.finished(angle, handedness, twist, Load { force, moment: handedness.sign() * moment })
+        self.finished(
+            Contact::at(self.strands(), angle),
+            handedness,
+            twist,
+            Load { force, moment: handedness.sign() * moment },
+        )
     }
 
     /// The force that holds the ply at an angle, with the twist and the moment given.
@@ -253,14 +260,14 @@ impl Ply {
     ) -> Result<Equilibrium, DomainError> {
         let load = Load { force: 0.0, moment };
         let force = self.missing(
-            angle,
+            Contact::at(self.strands(), angle),
             handedness,
             twist,
             load,
             3,
             "greater than 0: the force does no work on straight strands",
         )?;
-        self.finished(angle, handedness, twist, Load { force, moment })
+        self.finished(Contact::at(self.strands(), angle), handedness, twist, Load { force, moment })
     }
 
     /// The pretwist with which the ply keeps an angle under given loads.
@@ -285,23 +292,42 @@ impl Ply {
         handedness: Handedness,
         load: Load,
     ) -> Result<Equilibrium, DomainError> {
-        let none = Twist::Pretwist(0.0);
-        let held = self.missing(
-            angle,
-            handedness,
-            none,
-            load,
-            2,
-            "an angle some pretwist can hold: not the limiting angle of large pretwist",
-        )?;
+        self.pretwist_on(Contact::at(self.strands(), angle), handedness, load)
+    }
+
+    /// As [`pretwist_at`](Self::pretwist_at) for a given contact, such as [`Contact::line`] beyond π/4.
+    ///
+    /// # Errors
+    /// As [`pretwist_at`](Self::pretwist_at), and on `strands` if the contact is between others than this ply has.
+    ///
+    /// ```
+    /// use nply::geometry::{Contact, HelicalAngle};
+    /// use nply::mechanics::{Balance, Load, Ply};
+    /// use nply::Handedness::Right;
+    /// // Figure 6d: on the trivial branch p₁ → −½ as the strands become rings
+    /// let rings = Contact::line(HelicalAngle::from_pitch_angle(1e-6)?);
+    /// let state = Ply::with_balance(2, 0.75, Balance::Radial)?.pretwist_on(rings, Right, Load::NONE)?;
+    /// assert!((state.interstrand_pressure() + 0.5).abs() < 1e-11);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn pretwist_on(
+        &self,
+        contact: Contact,
+        handedness: Handedness,
+        load: Load,
+    ) -> Result<Equilibrium, DomainError> {
+        let same = contact.strands() == self.strands();
+        DomainError::check(same, "strands", f64::from(contact.strands()), "that of the ply")?;
+        let allowed = "an angle some pretwist can hold: not the limiting angle of large pretwist";
+        let held = self.missing(contact, handedness, Twist::Pretwist(0.0), load, 2, allowed)?;
         let pretwist = handedness.sign() * held / self.stiffness_ratio();
-        self.finished(angle, handedness, Twist::Pretwist(pretwist), load)
+        self.finished(contact, handedness, Twist::Pretwist(pretwist), load)
     }
 
     /// The weight number `k` of the balance when all others are given and its own is zero.
     fn missing(
         &self,
-        angle: HelicalAngle,
+        contact: Contact,
         handedness: Handedness,
         twist: Twist,
         load: Load,
@@ -309,37 +335,44 @@ impl Ply {
         allowed: &'static str,
     ) -> Result<f64, DomainError> {
         self.check(twist, load)?;
-        let state = self.state(Solution { angle, double: false }, handedness, twist, load);
+        let state = self.state(contact, false, handedness, twist, load);
         let term = self.balance().terms(&state.contact)[k];
         // a zero of the term, known to rounding: its own size over the size it has elsewhere on the branch
         let works = term.value.abs() > 4.0 * f64::EPSILON * term.slope.abs();
-        DomainError::check(works, "helical_angle", angle.radians(), allowed)?;
+        DomainError::check(works, "helical_angle", contact.helical_angle(), allowed)?;
         Ok(-state.scaled_balance().value / term.value)
     }
 
     /// A state from solved data, if they can be written as numbers.
     fn finished(
         &self,
-        angle: HelicalAngle,
+        contact: Contact,
         handedness: Handedness,
         twist: Twist,
         load: Load,
     ) -> Result<Equilibrium, DomainError> {
         self.check(twist, load)?;
-        Ok(self.state(Solution { angle, double: false }, handedness, twist, load))
+        Ok(self.state(contact, false, handedness, twist, load))
     }
 
     #[inline]
-    pub(super) fn state(&self, at: Solution, handedness: Handedness, twist: Twist, load: Load) -> Equilibrium {
+    pub(super) fn state(
+        &self,
+        contact: Contact,
+        fold: bool,
+        handedness: Handedness,
+        twist: Twist,
+        load: Load,
+    ) -> Equilibrium {
         Equilibrium {
-            contact: Contact::at(self.strands(), at.angle),
+            contact,
             handedness,
             stiffness_ratio: self.stiffness_ratio(),
             twist,
             load,
             balance: self.balance(),
             external_pressure: self.external_pressure(),
-            fold: at.double,
+            fold,
         }
     }
 

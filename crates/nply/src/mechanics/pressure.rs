@@ -51,6 +51,26 @@ impl Equilibrium {
         }
     }
 
+    #[doc = include_str!("../equations/eq57.md")]
+    ///
+    /// λ r⁴/B, the multiplier of the constraint (59): 0 in radial balance, a quarter of p₁ in contact balance.
+    ///
+    /// ```
+    /// use nply::mechanics::{Load, Ply, Twist};
+    /// let state = Ply::new(3, 0.75)?.equilibria(Twist::Pretwist(-1.0), Load::NONE)?[0];
+    /// // (57): p = p̂ − 2λρΔ with Δ = 4/ρ², and no pressure from outside
+    /// let balance = state.radial_pressure() - 8.0 * state.constraint_multiplier() / state.contact().radius_ratio();
+    /// assert!(balance.abs() < 1e-16);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn constraint_multiplier(&self) -> f64 {
+        match self.balance {
+            Balance::Radial => 0.0,
+            Balance::Contact => 0.25 * self.interstrand_pressure(),
+        }
+    }
+
     /// Whether the neighbours would have to pull (p₁ < 0) to keep this shape: the ply has come apart, unless its
     /// strands attract each other.
     #[must_use]

@@ -99,7 +99,8 @@ impl Ply {
         let (love, held) = twist.weights(self.stiffness_ratio());
         let mut states = Vec::new();
         Atlas::new(self.strands(), condition).solve(weights(love, held), |handedness, at| {
-            let mut state = self.state(at, handedness, twist, given);
+            let contact = Contact::at(self.strands(), at.angle);
+            let mut state = self.state(contact, at.double, handedness, twist, given);
             state.load = load(&state);
             states.push(state);
         });

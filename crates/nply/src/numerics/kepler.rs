@@ -21,15 +21,15 @@ pub(crate) struct HalfAnomaly {
 }
 
 impl HalfAnomaly {
+    /// Two strands in line contact: E = π.
+    pub(crate) const LINE: Self = Self { sin: 1.0, cos: 0.0, slope: 1.0 };
+
     /// cos²(E/2)/(cos²θ + sin²θ cos E), which stays finite at the pitchfork.
     #[inline]
     pub(crate) fn share_of_slope(&self) -> f64 {
         self.cos * self.cos / self.slope
     }
 }
-
-/// Two strands in line contact: E = π.
-const LINE: HalfAnomaly = HalfAnomaly { sin: 1.0, cos: 0.0, slope: 1.0 };
 
 /// The main branch for `strands` ≥ 2 at the angle with sine `s` > 0 or 0 and cosine `c` > 0.
 ///
@@ -41,7 +41,7 @@ pub(crate) fn main_branch(strands: u32, s: f64, c: f64, cos_double: f64) -> Half
         let lambda = 2.0 * PI / f64::from(strands);
         rising(start(strands, lambda, s, w), lambda, s, w)
     } else if cos_double >= 0.0 {
-        LINE
+        HalfAnomaly::LINE
     } else if w < 0.25 {
         rising(w * polynomial(&TALL, 8.0 * w - 1.0), PI, s, w)
     } else {
