@@ -33,6 +33,9 @@ pub struct HelicalAngle {
 }
 
 impl HelicalAngle {
+    /// The least pitch angle whose square is still a number, rad.
+    pub(crate) const FLATTEST: f64 = 1e-150;
+
     /// From θ in rad.
     ///
     /// # Errors
@@ -51,14 +54,14 @@ impl HelicalAngle {
     /// From the pitch angle π/2 − θ in rad.
     ///
     /// # Errors
-    /// [`DomainError`] unless 0 < π/2 − θ ≤ π/2.
+    /// [`DomainError`] unless 1e-150 ≤ π/2 − θ ≤ π/2; the square of a smaller angle would no longer be a number.
     #[inline]
     pub fn from_pitch_angle(pitch_angle: f64) -> Result<Self, DomainError> {
         DomainError::check(
-            pitch_angle > 0.0 && pitch_angle <= FRAC_PI_2,
+            (Self::FLATTEST..=FRAC_PI_2).contains(&pitch_angle),
             "pitch_angle",
             pitch_angle,
-            "greater than 0 and at most pi/2 (90 degrees)",
+            "greater than 0 (at least 1e-150) and at most pi/2 (90 degrees)",
         )?;
         Ok(Self::flat(pitch_angle))
     }

@@ -80,25 +80,13 @@ pub fn branches(strands: u32, angle: HelicalAngle, most: usize) -> Result<Vec<Br
             found.push(pieces.branch(PI, BranchKind::Trivial, false));
         }
         // piece 0 holds the main branch; for two strands piece 1 the trivial one and piece 2 the other main one
-        let (mut up, mut down) = (if strands == 2 { 3 } else { 1 }, -1);
-        while found.len() < most.max(1) {
-            let before = found.len();
-            found.extend(pieces.solution(up));
-            if found.len() > before {
-                up += 1;
-            }
-            let middle = found.len();
-            found.extend(pieces.solution(down));
-            if found.len() > middle {
-                down -= 1;
-            }
-            if found.len() == before {
-                break;
-            }
-        }
+        // on either side they follow each other outwards, so that the nearest `most` are among the first `most` of each
+        let first = if strands == 2 { 3 } else { 1 };
+        found.extend((first..).map_while(|piece| pieces.solution(piece)).take(most));
+        found.extend((1..).map_while(|piece| pieces.solution(-piece)).take(most));
         found.sort_by(|a, b| a.arclength_shift.abs().total_cmp(&b.arclength_shift.abs()));
-        found.truncate(most);
     }
+    found.truncate(most);
     Ok(found)
 }
 

@@ -8,6 +8,7 @@ mod contact_line;
 mod densest_helix;
 mod lay;
 mod section;
+mod special_lay;
 
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branches};
@@ -17,3 +18,4 @@ pub(crate) use contact::check_strands;
 pub use contact_line::ContactLine;
 pub use densest_helix::DensestHelix;
 pub use section::Section;
+pub use special_lay::{SpecialLays, packing_fraction};

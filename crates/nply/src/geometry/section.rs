@@ -94,11 +94,15 @@ impl Section {
     /// ```
     pub fn non_convex_angle(strands: u32) -> Result<HelicalAngle, DomainError> {
         check_strands(strands)?;
-        let hollow = |at: &super::contact::Regular| {
+        Ok(Self::turns_hollow(strands).angle())
+    }
+
+    /// The contact at which the outline turns hollow.
+    pub(super) fn turns_hollow(strands: u32) -> Contact {
+        where_rising(strands, 1.0, |at| {
             // k = sin²θ/(ρ cos θ); (ρ − 1)k² = (ρ cos θ − cos θ) k²/cos θ
             let k = at.sin * at.sin * at.radius.recip();
             2.0 * (k * at.cos) + (at.radius - at.cos) * k * k * at.cos.recip()
-        };
-        Ok(where_rising(strands, 1.0, hollow).angle())
+        })
     }
 }

@@ -78,8 +78,10 @@ impl<C: Condition<K>, const K: usize> Atlas<C, K> {
             let chart = Chart { strands: self.strands, condition: self.condition, flat };
             for panel in panels {
                 panel.roots(&chart, &weights, &mut |side, root| {
-                    let handedness = if side > 0.0 { Handedness::Right } else { Handedness::Left };
-                    found(handedness, Solution { angle: chart.angle(root.at), double: root.double });
+                    if !flat || root.at >= HelicalAngle::FLATTEST {
+                        let handedness = if side > 0.0 { Handedness::Right } else { Handedness::Left };
+                        found(handedness, Solution { angle: chart.angle(root.at), double: root.double });
+                    }
                 });
             }
         }

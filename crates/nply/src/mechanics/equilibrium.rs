@@ -153,7 +153,8 @@ impl Ply {
     /// How none is missed: on each of six panels of the branch the balance is a polynomial of degree 11 to within a
     /// known error. The signs of its Bernstein coefficients bound the number of roots; where they leave it open the
     /// derivative's signs or the exact height of the single extremum decide, or the panel is halved. A state where two
-    /// roots meet within rounding is given once, as a [fold](Equilibrium::is_fold).
+    /// roots meet within rounding is given once, as a [fold](Equilibrium::is_fold). States within 1e-150 rad of flat rings
+    /// (θ = π/2) are left out.
     ///
     /// # Errors
     /// [`DomainError`] unless the twist, γ times the twist, and the loads are finite.

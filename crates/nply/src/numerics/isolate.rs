@@ -383,6 +383,36 @@ mod tests {
         assert!(got.is_empty(), "{got:?}");
     }
 
+    /// A corner rounded off so sharply that no polynomial of degree 11 follows it.
+    struct Corner;
+
+    impl Basis<2> for Corner {
+        fn at(&self, t: f64) -> [Dual; 2] {
+            let root = libm::sqrt((t - 0.4) * (t - 0.4) + 1e-6);
+            [Dual::new(root, (t - 0.4) / root), Dual::new(1.0, 0.0)]
+        }
+    }
+
+    #[test]
+    fn where_the_polynomials_fail_they_are_not_trusted() {
+        let panel = Panel::fit(&Corner, 0.0, 1.0);
+        for height in [0.0009, 0.0011, 0.002, 0.01, 0.03, 0.1] {
+            let pair = Pair { even: [1.0, -height], odd: [0.0; 2] };
+            let mut roots = Vec::new();
+            panel.roots(&Corner, &pair, &mut |side, root| {
+                if side > 0.0 {
+                    roots.push(root.at);
+                }
+            });
+            // (t − 0.4)² + 1e-6 = height²
+            let want = if height > 1e-3 { 2 } else { 0 };
+            assert_eq!(roots.len(), want, "height {height}: {roots:?}");
+            for root in roots {
+                assert!(((root - 0.4).abs() - libm::sqrt(height * height - 1e-6)).abs() < 1e-12, "{root}");
+            }
+        }
+    }
+
     #[test]
     fn zero_itself_is_divided_out() {
         let got = all(&with_roots(&[0.0, 0.0, 0.6])); // t²(t − 0.6)

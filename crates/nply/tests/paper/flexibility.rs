@@ -120,8 +120,7 @@ fn eq67() {
         let ply = Ply::with_balance(2, gamma, Balance::Radial).unwrap();
         let (a1, b1, c1) = (11.0 * gamma / 3.0 - 6.0, 10.0 * gamma / 3.0 - 6.0, 3.0 * gamma - 6.0);
         let a2 = 422.0 / 45.0 * gamma * gamma - 44.0 * gamma + 36.0;
-        let b2 = (2.0 / 15.0 + 8.0 / 3.0 + 16.0 - 16.0 / 3.0 - 8.0 / 3.0 * 2.0) * gamma * gamma;
-        let b2 = b2 + (-4.0 - 48.0 + 2.0 + 8.0) * gamma + 36.0;
+        let b2 = 122.0 / 15.0 * gamma * gamma - 42.0 * gamma + 36.0;
         let c2 = 7.0 * gamma * gamma - 40.0 * gamma + 36.0;
         for hand in Handedness::BOTH {
             let remainder = |theta: f64, terms: usize| {

@@ -4,7 +4,7 @@ use nply::geometry::Centreline;
 use nply::mechanics::Balance;
 
 use crate::common::vector::{Vector, add, assert_vector, cross, derivative, dot, norm, sub, times};
-use crate::state::{State, close, states};
+use crate::state::{State, close, pressed_states, states};
 
 const H: f64 = 1e-2;
 
@@ -51,14 +51,20 @@ fn size(state: &State) -> f64 {
         + state.m.abs()
 }
 
-/// Force balance (20), (28) with the neighbours' forces; moment balance (21).
+/// States of both balances, and some under an external pressure.
+fn all_states() -> [Vec<State>; 3] {
+    [states(Balance::Contact), states(Balance::Radial), pressed_states(Balance::Contact, 0.4)]
+}
+
+/// Force balance (20), (28) with the neighbours' forces and the external pressure; moment balance (21).
 #[test]
 fn eq20_eq21_eq28() {
-    for balance in Balance::BOTH {
-        for state in states(balance) {
+    for states in all_states() {
+        for state in states {
             for s in [0.0, 1.1] {
                 let [p21, p31] = neighbours(&state, s);
-                let rate = derivative(|s| force(&state, s), s, H);
+                let outside = times(state.got.external_pressure(), frame(&state, s)[0]);
+                let rate = add(derivative(|s| force(&state, s), s, H), outside);
                 assert_vector(add(rate, add(p21, p31)), [0.0; 3], 1e-9 * size(&state), &state.name());
                 let d3 = Centreline::new(state.got.contact(), state.got.handedness(), 0).frame(s).tangent;
                 let rate = derivative(|s| moment(&state, s), s, H);
@@ -143,8 +149,8 @@ fn eq29_eq30() {
 
 #[test]
 fn eq31_eq32_eq33() {
-    for balance in Balance::BOTH {
-        for state in states(balance) {
+    for states in all_states() {
+        for state in states {
             let inside = state.got.strand_resultant();
             let p = state.got.resultant_pressure();
             close(state.eps * inside.hoop_force / state.t.rho * state.t.s, p, size(&state), 1e-13, "(31)");

@@ -6,7 +6,7 @@ use nply::geometry::{Centreline, Section};
 use crate::common::vector::{add, assert_vector, cross, derivative, norm, times};
 use crate::state::{close, contacts};
 
-const ALPHAS: [f64; 6] = [0.0, 0.4, 1.570_796_326_794_896_6, 2.9, 4.0, 5.9];
+const ALPHAS: [f64; 6] = [0.0, 0.4, std::f64::consts::FRAC_PI_2, 2.9, 4.0, 5.9];
 
 /// With n = r″/|r″|; print has r′.
 #[test]
