@@ -383,32 +383,34 @@ mod tests {
         assert!(got.is_empty(), "{got:?}");
     }
 
-    /// A corner rounded off so sharply that no polynomial of degree 11 follows it.
-    struct Corner;
+    /// A dip midway between two nodes, so narrow that the nodes hardly see it.
+    struct Dip;
 
-    impl Basis<2> for Corner {
+    const MIDWAY: f64 = 0.5 * (NODES[4] + NODES[5]);
+    const WIDTH: f64 = 0.03;
+
+    impl Basis<2> for Dip {
         fn at(&self, t: f64) -> [Dual; 2] {
-            let root = libm::sqrt((t - 0.4) * (t - 0.4) + 1e-6);
-            [Dual::new(root, (t - 0.4) / root), Dual::new(1.0, 0.0)]
+            let from = (t - MIDWAY) / WIDTH;
+            let dip = libm::exp(-from * from);
+            [Dual::new(dip, -2.0 * from / WIDTH * dip), Dual::new(1.0, 0.0)]
         }
     }
 
     #[test]
     fn where_the_polynomials_fail_they_are_not_trusted() {
-        let panel = Panel::fit(&Corner, 0.0, 1.0);
-        for height in [0.0009, 0.0011, 0.002, 0.01, 0.03, 0.1] {
-            let pair = Pair { even: [1.0, -height], odd: [0.0; 2] };
+        let panel = Panel::fit(&Dip, 0.0, 1.0);
+        for (depth, want) in [(1.2, 2), (0.999, 0)] {
+            let pair = Pair { even: [-depth, 1.0], odd: [0.0; 2] };
             let mut roots = Vec::new();
-            panel.roots(&Corner, &pair, &mut |side, root| {
+            panel.roots(&Dip, &pair, &mut |side, root| {
                 if side > 0.0 {
                     roots.push(root.at);
                 }
             });
-            // (t − 0.4)² + 1e-6 = height²
-            let want = if height > 1e-3 { 2 } else { 0 };
-            assert_eq!(roots.len(), want, "height {height}: {roots:?}");
+            assert_eq!(roots.len(), want, "depth {depth}: {roots:?}");
             for root in roots {
-                assert!(((root - 0.4).abs() - libm::sqrt(height * height - 1e-6)).abs() < 1e-12, "{root}");
+                assert!(((root - MIDWAY).abs() - WIDTH * libm::sqrt(libm::log(depth))).abs() < 1e-12, "{root}");
             }
         }
     }
