@@ -27,6 +27,11 @@ const CONTACT: &str = "\
 Prints how neighbouring strands touch at a given lay: helix radius, arclength shift, contact line, hole, curvature.
 With --strands 1 and no lay, the densest helix of a single tube.";
 
+const LAYS: &str = "\
+Prints the lays at which touching strands are special: zero twist (the most turns they can take), most torsion, most curvature,
+close packed, the cut across the ply turning non-convex, and for two strands the lock-up of line contact. With
+--strands 1, the densest helix of a single tube.";
+
 /// `nply` with its subcommands.
 pub(crate) fn command() -> Command {
     Command::new("nply")
@@ -67,6 +72,12 @@ pub(crate) fn command() -> Command {
                     .value_parser(value_parser!(u32).range(1..=100_000))
                     .help("List solutions of the contact condition too, nearest first, at most MOST (20)"),
             )
+            .arg(json()),
+        )
+        .subcommand(
+            with_keys(Command::new("lays").about("The distinguished lays of n strands").long_about(LAYS), |key| {
+                key.name == "strands"
+            })
             .arg(json()),
         )
 }

@@ -8,7 +8,7 @@ mod output;
 use std::process::ExitCode;
 
 use clap::ArgMatches;
-use nply_sheet::{Report, ShapeReport};
+use nply_sheet::{LaysReport, Report, ShapeReport};
 
 use failure::Failure;
 use output::Format;
@@ -21,6 +21,7 @@ fn main() -> ExitCode {
     let done = match matches.subcommand() {
         Some(("solve", arguments)) => solve(arguments),
         Some(("contact", arguments)) => contact(arguments),
+        Some(("lays", arguments)) => lays(arguments),
         _ => Ok(()), // a subcommand is required: not reached
     };
     match done {
@@ -53,4 +54,11 @@ fn contact(arguments: &ArgMatches) -> Result<(), Failure> {
         Format::Json => report.json(),
         Format::Table | Format::Csv => report.text(true),
     })
+}
+
+/// `nply lays`: the distinguished lays of n strands.
+fn lays(arguments: &ArgMatches) -> Result<(), Failure> {
+    let input = input::read(arguments)?;
+    let report = input.spec.check_strands().map(LaysReport::of).map_err(|error| input.refused(error))?;
+    output::write(&if arguments.get_flag("json") { report.json() } else { report.text(true) })
 }

@@ -84,7 +84,7 @@ pub enum ErrorKind {
 /// assert_eq!(error.exit_code(), 2);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}: {}{}", .0.place, .0.message, .0.help.as_ref().map(|help| format!("; {help}")).unwrap_or_default())]
+#[error("{}{}", .0.titled(), .0.help.as_ref().map(|help| format!("; {help}")).unwrap_or_default())]
 pub struct SpecError(Box<Parts>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,6 +94,17 @@ struct Parts {
     key: Option<String>,
     message: String,
     help: Option<String>,
+}
+
+impl Parts {
+    /// The sentence behind its place; a flag that it begins with is not said twice.
+    fn titled(&self) -> String {
+        let Self { place, message, .. } = self;
+        match place {
+            Place::Flag(flag) if message.starts_with(&format!("`--{flag}")) => message.clone(),
+            _ => format!("{place}: {message}"),
+        }
+    }
 }
 
 impl SpecError {
@@ -195,7 +206,7 @@ impl SpecError {
                 let mark = AnnotationKind::Primary.span(clamp(text, bytes));
                 Level::ERROR.primary_title(message).element(Snippet::source(text).path(name.as_ref()).annotation(mark))
             }
-            Place::Flag(flag) => Group::with_title(Level::ERROR.primary_title(format!("--{flag}: {message}"))),
+            Place::Flag(_) => Group::with_title(Level::ERROR.primary_title(self.0.titled())),
         };
         let group = match help {
             Some(help) => group.element(Level::HELP.message(help)),
@@ -255,6 +266,14 @@ mod tests {
         assert_eq!(found.to_string(), "--strands: no such ply");
         assert_eq!(found.render(""), "error: --strands: no such ply");
         assert_eq!((found.exit_code(), found.line(), found.column()), (1, None, None));
+    }
+
+    #[test]
+    fn a_flag_is_not_said_twice() {
+        let at = |message: &str| SpecError::new(ErrorKind::Domain, Place::Flag("hand".to_owned()), message);
+        assert_eq!(at("`--hand \"left\"` is too much").to_string(), "`--hand \"left\"` is too much");
+        assert_eq!(at("`--hand \"left\"` is too much").render(""), "error: `--hand \"left\"` is too much");
+        assert_eq!(at("`--turns` is too much").to_string(), "--hand: `--turns` is too much");
     }
 
     #[test]

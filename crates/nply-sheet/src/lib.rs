@@ -30,7 +30,7 @@ pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
-pub use report::{COLUMNS, Column, Known, Measure, Reading, Report, Section, ShapeReport};
+pub use report::{COLUMNS, Column, Known, LaysReport, Measure, Reading, Report, Section, ShapeReport};
 pub use solve::Solution;
 pub use spec::Spec;
 pub use unit::Unit;

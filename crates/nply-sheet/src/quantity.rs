@@ -56,7 +56,7 @@ pub enum QuantityError {
         read: String,
     },
     /// A word that is no unit.
-    #[error("{unit} is no unit known here{}", nearest.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default())]
+    #[error("{unit} is no unit known here{}", instead(*nearest))]
     UnknownUnit {
         /// The word, quoted.
         unit: String,
@@ -81,6 +81,14 @@ pub enum QuantityError {
         /// What was wanted, with an example: `a length, such as "0.5 mm"`.
         wanted: &'static str,
     },
+}
+
+/// What to write for a unit that is not known.
+fn instead(nearest: Option<&'static str>) -> String {
+    match nearest {
+        Some(name) => format!("; did you mean `{name}`?"),
+        None => "; write it in units such as mm, N, Pa, deg, turns or K".to_owned(),
+    }
 }
 
 /// What to do with a quantity that is not asked for anywhere.

@@ -222,6 +222,20 @@ impl Spec {
         Case::of(self)
     }
 
+    /// The number of strands alone, 1 to a million.
+    ///
+    /// # Errors
+    /// [`SpecError`] if it is missing or no ply has it.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// assert_eq!(Spec::from_flags([("strands", "3")])?.check_strands()?, 3);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_strands(&self) -> Result<u32, SpecError> {
+        crate::case::strands(self, 1)
+    }
+
     /// Understands the shape alone: number of strands, lay, and the strand's radius if given.
     ///
     /// # Errors
@@ -230,7 +244,7 @@ impl Spec {
     /// ```
     /// use nply_sheet::{Lay, Spec};
     /// let shape = Spec::from_flags([("strands", "2"), ("helical-angle", "45 deg")])?.check_shape()?;
-    /// assert_eq!(shape.lay, Lay::HelicalAngle(core::f64::consts::FRAC_PI_4));
+    /// assert_eq!(shape.lay, Some(Lay::HelicalAngle(core::f64::consts::FRAC_PI_4)));
     /// # Ok::<(), nply_sheet::SpecError>(())
     /// ```
     pub fn check_shape(&self) -> Result<Shape, SpecError> {
@@ -288,13 +302,18 @@ fn in_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<Cow<'i, str>>, &
     entries
 }
 
-/// The commonest slip: a value with a unit or a word, without quotation marks.
+/// The commonest slip: a value with a unit or a word, without quotation marks or with those of a word processor.
 fn unquoted(text: &str, at: usize) -> Option<String> {
     let start = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
     let (key, value) = text.get(start..)?.lines().next()?.split_once('=')?;
+    let is_name = |key: &str| KEYS.iter().any(|known| known.name == key.rsplit('.').next().unwrap_or(key).trim());
+    let is_in_value = at > start + key.len();
     let value = value.split('#').next()?.trim();
-    let bare = !value.is_empty() && !value.contains(['"', '\'', '[', ']', '{', '}', '=']);
-    bare.then(|| format!("put the value in quotation marks: {} = {}", key.trim(), crate::quoted(value)))
+    let value =
+        value.trim_matches(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{ab}', '\u{bb}']).trim();
+    let bare = !value.is_empty() && !value.contains(|c: char| "\"'[]{}=".contains(c) || c.is_control());
+    (bare && is_in_value && is_name(key))
+        .then(|| format!("put the value in quotation marks: {} = {}", key.trim(), crate::quoted(value)))
 }
 
 /// A message of several lines on one.

@@ -355,6 +355,20 @@ fn what_the_theory_refuses_is_said_at_its_datum() {
 }
 
 #[test]
+fn what_the_theory_refuses_is_said_once_and_shortly() {
+    let refused = |flag, value| DomainError { quantity: flag, value, allowed: "greater than 6" };
+    let ratio = bare(&[("radius-ratio", "1.1")]).unwrap();
+    assert_eq!(
+        ratio.locate(&refused("radius_ratio", 1.1)).to_string(),
+        "`--radius-ratio \"1.1\"`: no ply has it; it must be greater than 6"
+    );
+    let flat = bare(&[("pitch-angle", "1e-200 rad")]).unwrap().locate(&refused("pitch_angle", 1e-200)).to_string();
+    assert!(flat.contains("is pitch_angle = 1e-200 rad, and"), "{flat}");
+    let long = bare(&[("ply-turns-per-length", "1e-320")]);
+    self::refused(long, ErrorKind::Domain, "too large or too small");
+}
+
+#[test]
 fn the_shape_alone_needs_no_stiffness() {
     let shape = |flags: Flags| Spec::from_flags(flags.iter().copied()).unwrap().check_shape();
     let single = shape(&[("strands", "1")]).unwrap();
@@ -385,7 +399,15 @@ fn a_value_without_quotation_marks_is_shown_with_them() {
         let error = Spec::from_toml("a.toml", &format!("[strand]\n{line}\n")).unwrap_err();
         assert_eq!((error.kind(), error.line(), error.help()), (ErrorKind::Syntax, Some(2), Some(help)), "{error}");
     }
-    assert_eq!(Spec::from_toml("a.toml", "[ply]\nstrands =\n").unwrap_err().help(), None);
+    let word_processor = Spec::from_toml("a.toml", "[strand]\nradius = \u{201c}0.5 mm\u{201d}\n").unwrap_err();
+    assert_eq!(word_processor.help(), Some("put the value in quotation marks: radius = \"0.5 mm\""));
+    // where something else is the matter, nothing of the kind is proposed
+    let deep = ["a", &".a".repeat(3000), "=1"].concat();
+    for text in
+        ["[ply]\nstrands =\n", "[ply]\nstrands\u{0} = 3\n", "[ply]\rstrands = 3\r", "[ply]\nwhat = 3 mm\n", &deep]
+    {
+        assert_eq!(Spec::from_toml("a.toml", text).unwrap_err().help(), None, "{text}");
+    }
 }
 
 #[test]

@@ -260,7 +260,7 @@ fn only_one<'s>(spec: &'s Spec, group: Group, gives: &str) -> Result<Option<&'s 
 }
 
 /// The number of strands: a whole number, not less than `least` (2 where it has to carry anything).
-fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
+pub(crate) fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
     const MOST: f64 = 1e6;
     let Some(entry) = spec.get(Datum::Strands) else {
         let message = format!("the number of strands is missing: give {}, such as 3", spec.ask_for(Datum::Strands));
@@ -300,6 +300,11 @@ impl Entry {
         matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
     }
 
+    /// Whether it was written as this very number, without a unit.
+    fn is_bare(&self, value: f64) -> bool {
+        !self.is_measured() && self.number().to_bits() == value.to_bits()
+    }
+
     /// The value, if it is greater than zero and finite.
     fn positive(&self, value: f64) -> Result<f64, SpecError> {
         if value > 0.0 && value < f64::INFINITY {
@@ -314,7 +319,7 @@ impl Entry {
         if value.is_finite() {
             return Ok(value);
         }
-        let message = format!("{} is too large to be calculated with, measured by the strand", self.said());
+        let message = format!("{} is too large or too small to be calculated with", self.said());
         Err(self.error(ErrorKind::Domain, message))
     }
 }

@@ -44,11 +44,21 @@ impl Origins {
             _ => "",
         };
         let Some(entry) = origin else {
-            let message = format!("no ply can be like this: {quantity} = {value}{unit} must be {allowed}");
+            let message = format!("no ply can be like this: {quantity} = {}{unit} must be {allowed}", short(value));
             return SpecError::new(ErrorKind::Domain, self.head.clone(), message).of_key(quantity);
         };
         let said = entry.said();
-        let message = format!("{said} is {quantity} = {value}{unit}, and no ply has it: it must be {allowed}");
+        // what was written need not be said again
+        let message = if entry.key.name == quantity && entry.is_bare(value) {
+            format!("{said}: no ply has it; it must be {allowed}")
+        } else {
+            format!("{said} is {quantity} = {}{unit}, and no ply has it: it must be {allowed}", short(value))
+        };
         entry.error(ErrorKind::Domain, message)
     }
+}
+
+/// A number as a person writes it: 1e-200 and not two hundred zeros.
+fn short(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e15).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }

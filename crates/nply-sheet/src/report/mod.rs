@@ -3,6 +3,7 @@
 mod column;
 mod csv;
 mod json;
+mod lays;
 mod measure;
 mod shape;
 mod text;
@@ -11,6 +12,7 @@ use nply::Handedness;
 use nply::mechanics::Equilibrium;
 
 pub use column::{COLUMNS, Column, Section};
+pub use lays::LaysReport;
 pub use measure::{Known, Measure, Reading};
 pub use shape::ShapeReport;
 
