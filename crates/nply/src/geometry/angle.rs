@@ -66,6 +66,11 @@ impl HelicalAngle {
         Ok(Self::flat(pitch_angle))
     }
 
+    /// From cos θ in (0, 1], by whichever of the two angles is the smaller.
+    pub(crate) fn of_cosine(cos: f64) -> Self {
+        if cos > core::f64::consts::FRAC_1_SQRT_2 { Self::steep(libm::acos(cos)) } else { Self::flat(libm::asin(cos)) }
+    }
+
     /// θ already known to lie in [0, π/2): the strands stand steeply.
     #[inline]
     pub(crate) fn steep(helical: f64) -> Self {

@@ -12,6 +12,7 @@ mod pressure;
 mod separation;
 mod stiffness;
 mod strand;
+mod support;
 mod twist;
 
 pub use balance::Balance;
@@ -21,4 +22,5 @@ pub use load::Load;
 pub use ply::Ply;
 pub use stiffness::Stiffness;
 pub use strand::StrandResultant;
+pub use support::{Support, SupportedState, Wedge};
 pub use twist::Twist;

@@ -8,6 +8,7 @@ mod equilibrium;
 mod geometry;
 mod refusal;
 mod section;
+mod support;
 
 use nply::Handedness;
 use proptest::prelude::*;
