@@ -273,6 +273,10 @@ pub static KEYS: [Key; 35] = [
 
 /// The name among `known` that is nearest to what was written, if it is near enough to have been meant.
 pub(crate) fn nearest<'n>(written: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    // no slip of the hand, and a megabyte of it would take its time
+    if written.len() > 100 {
+        return None;
+    }
     let lower = written.to_lowercase().replace('-', "_");
     let enough = (written.chars().count() / 3).max(1);
     known
@@ -316,5 +320,7 @@ mod tests {
         assert_eq!(nearest("Young-modulus", names()), Some("youngs_modulus"));
         assert_eq!(nearest("colour", names()), None);
         assert_eq!(nearest("", names()), None);
+        let long: &'static str = "pretwist".repeat(20).leak();
+        assert_eq!(nearest(long, core::iter::once(long)), None);
     }
 }

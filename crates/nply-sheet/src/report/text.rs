@@ -111,7 +111,9 @@ pub(super) const fn hand(handedness: Handedness) -> &'static str {
 
 /// Title, and what the whole report holds for.
 fn headline(case: &Case) -> String {
-    let title = case.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
+    // one line, and no say in what the terminal does
+    let plain = |title: &String| title.replace(|c: char| c.is_control(), " ");
+    let title = case.title.as_ref().map_or(String::new(), |title| format!("{}: ", plain(title)));
     let gamma = six_digits(case.stiffness_ratio);
     format!("{title}{} strands, stiffness ratio {gamma}, {} balance", case.strands, case.balance.name())
 }

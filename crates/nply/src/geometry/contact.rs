@@ -143,7 +143,8 @@ impl Contact {
     #[inline]
     #[must_use]
     pub fn radius_ratio(&self) -> f64 {
-        self.angle.cos() / (self.half.sin * libm::sqrt(self.gap))
+        // above 1 by nature; just past the pitchfork rounding alone could take it below
+        (self.angle.cos() / (self.half.sin * libm::sqrt(self.gap))).max(1.0)
     }
 
     #[doc = include_str!("../equations/eq65.md")]

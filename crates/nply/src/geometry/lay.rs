@@ -12,8 +12,8 @@ impl Contact {
     /// From the radius ratio ρ = R/r, such as a core of radius (ρ − 1)r sets.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands`, and on `radius_ratio` unless it is finite and at least 1/sin(π/n), that of straight
-    /// strands; for two strands unless it is above 1, which every angle up to π/4 has.
+    /// [`DomainError`] on `strands`, and on `radius_ratio` unless it is at least 1/sin(π/n), that of straight strands, and
+    /// at most 1e140; for two strands unless it is above 1, which every angle up to π/4 has.
     ///
     /// ```
     /// use nply::geometry::Contact;
@@ -30,10 +30,15 @@ impl Contact {
             let allowed = "finite and greater than 1 for two strands: at 1 they touch along a line at every angle up to \
                            pi/4, so that the radius does not tell the angle";
             DomainError::check(radius_ratio > 1.0 && finite, "radius_ratio", radius_ratio, allowed)?;
+            Self::check_flattest(radius_ratio, "radius_ratio", radius_ratio)?;
+            if radius_ratio < 1.1 {
+                return Ok(Self::from_hole(radius_ratio - 1.0));
+            }
         } else {
             let allowed = "finite and at least 1/sin(pi/n), the radius ratio of straight strands that touch";
             let reached = radius_ratio >= least * (1.0 - 4.0 * f64::EPSILON); // 1/sin(π/n) is itself rounded
             DomainError::check(reached && finite, "radius_ratio", radius_ratio, allowed)?;
+            Self::check_flattest(radius_ratio, "radius_ratio", radius_ratio)?;
             if radius_ratio <= least {
                 return Ok(straight);
             }
@@ -44,8 +49,8 @@ impl Contact {
     /// From the lay length in units of r: ply length per turn of a strand.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands`, and on `lay_length` unless it is finite and greater than 2n, that of n flat rings on
-    /// top of each other.
+    /// [`DomainError`] on `strands`, and on `lay_length` unless it is greater than 2n, that of n flat rings on top of each
+    /// other, and at most 1e140.
     ///
     /// ```
     /// use nply::geometry::Contact;
@@ -61,14 +66,35 @@ impl Contact {
             lay_length,
             "finite and greater than 2n strand radii, where the strands are flat rings on top of each other",
         )?;
+        Self::check_flattest(lay_length, "lay_length", lay_length)?;
         // 2π over the lay length: tan θ/ρ
         Ok(where_rising(strands, 2.0 * PI / lay_length, |at| at.sin * at.radius.recip()))
+    }
+
+    /// Refuses what would be too far from 1 for its square to be a number.
+    fn check_flattest(size: f64, quantity: &'static str, value: f64) -> Result<(), DomainError> {
+        DomainError::check(
+            (1e-140..=1e140).contains(&size),
+            quantity,
+            value,
+            "within 140 orders of magnitude of the strand's size",
+        )
+    }
+
+    /// Two strands past the pitchfork, from the radius of the hole between them, of which ρ near 1 keeps no digits.
+    fn from_hole(hole: f64) -> Self {
+        let at = |pitch| Self::at(2, HelicalAngle::flat(pitch));
+        let f = |pitch| {
+            let contact = at(pitch);
+            Dual::new(contact.hole_radius() - hole, -contact.radius_ratio_slope())
+        };
+        at(bracketed(f, 0.5, FRAC_PI_4, true, 0.78).0) // 0.5 rad of pitch has ρ = 1.38
     }
 
     /// From the lay ratio: lay length over the ply's outer diameter 2(R + r).
     ///
     /// # Errors
-    /// [`DomainError`] on `strands`, and on `lay_ratio` unless it is finite and greater than 0.
+    /// [`DomainError`] on `strands`, and on `lay_ratio` unless it is between 1e-140 and 1e140.
     ///
     /// ```
     /// use nply::geometry::Contact;
@@ -80,6 +106,7 @@ impl Contact {
         check_strands(strands)?;
         let positive = lay_ratio > 0.0 && lay_ratio < f64::INFINITY;
         DomainError::check(positive, "lay_ratio", lay_ratio, "finite and greater than 0")?;
+        Self::check_flattest(lay_ratio, "lay_ratio", lay_ratio)?;
         // π over the lay ratio: tan θ (1 + ρ)/ρ
         Ok(where_rising(strands, PI / lay_ratio, |at| at.sin * (at.cos.recip() + at.radius.recip())))
     }

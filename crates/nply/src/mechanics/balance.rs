@@ -38,6 +38,24 @@ impl Balance {
     }
 }
 
+impl Balance {
+    /// The factor by which term `k` may vanish at an angle, and the sum of its parts' sizes: cos 2θ − q cos²θ for the
+    /// pretwist, sin θ for the force, 1 − q for the moment (times cos²θ).
+    pub(super) fn factor(self, contact: &Contact, k: usize) -> (f64, f64) {
+        let (s, c) = (contact.angle().sin(), contact.angle().cos());
+        let q_cc = match self {
+            Self::Contact => s * s * contact.regular().share.value,
+            Self::Radial => 0.0,
+        };
+        match k {
+            2 => (c * c - s * s - q_cc, 1.0 + q_cc),
+            3 => (s, s),
+            4 => (c * c - q_cc, c * c + q_cc),
+            _ => (1.0, 1.0),
+        }
+    }
+}
+
 /// cos²θ times the balance, term by term, for the weights (1, γ, εγφ̄a, f, εm) when the pretwist is given and
 /// (1, 0, εγ r u₃, f, εm) when the strand twist is.
 ///

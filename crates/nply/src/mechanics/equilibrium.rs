@@ -96,18 +96,32 @@ impl Equilibrium {
 
     /// The balance cos²θ·G, zero in equilibrium, with its slope dθ along the branch at the given loads and twist.
     pub(super) fn scaled_balance(&self) -> Dual {
+        self.weighted_terms().into_iter().fold(Dual::new(0.0, 0.0), |sum, term| sum + term)
+    }
+
+    /// The slope of cos²θ·G, and what rounding may make of it.
+    pub(super) fn slope_and_rounding(&self) -> (f64, f64) {
+        let terms = self.weighted_terms();
+        let size: f64 = terms.iter().map(|term| term.slope.abs()).sum();
+        (terms.iter().map(|term| term.slope).sum(), f64::EPSILON * size)
+    }
+
+    /// The terms of cos²θ·G times their weights; the last is that of an external pressure.
+    fn weighted_terms(&self) -> [Dual; 6] {
         let Pair { even, odd } = weights(self.stiffness_ratio, self.twist, self.load);
-        let mut sum = Dual::new(0.0, 0.0);
-        for (k, term) in self.balance.terms(&self.contact).iter().enumerate() {
-            sum = sum + (even[k] + self.handedness.sign() * odd[k]) * *term;
-        }
-        if self.external_pressure != 0.0 {
+        let terms = self.balance.terms(&self.contact);
+        let pressure = if self.external_pressure == 0.0 {
+            Dual::new(0.0, 0.0)
+        } else {
             let at = self.contact.regular();
             let n_pressure = f64::from(self.contact.strands()) * self.external_pressure;
             let secant = at.cos.recip();
-            sum = sum - n_pressure * (at.radius * at.radius * at.radius * at.sin * at.share * secant * secant);
-        }
-        sum
+            -(n_pressure * (at.radius * at.radius * at.radius * at.sin * at.share * secant * secant))
+        };
+        core::array::from_fn(|k| match terms.get(k) {
+            Some(term) => (even[k] + self.handedness.sign() * odd[k]) * *term,
+            None => pressure,
+        })
     }
 
     /// The left side of (47), or of the contact balance, at this state: zero but for rounding.
@@ -337,11 +351,15 @@ impl Ply {
     ) -> Result<f64, DomainError> {
         self.check(twist, load)?;
         let state = self.state(contact, false, handedness, twist, load);
-        let term = self.balance().terms(&state.contact)[k];
-        // a zero of the term, known to rounding: its own size over the size it has elsewhere on the branch
-        let works = term.value.abs() > 4.0 * f64::EPSILON * term.slope.abs();
-        DomainError::check(works, "helical_angle", contact.helical_angle(), allowed)?;
-        Ok(-state.scaled_balance().value / term.value)
+        let term = self.balance().terms(&state.contact)[k].value;
+        let (factor, size) = self.balance().factor(&state.contact, k);
+        DomainError::check(
+            factor.abs() > 4.0 * f64::EPSILON * size,
+            "helical_angle",
+            contact.helical_angle(),
+            allowed,
+        )?;
+        Ok(-state.scaled_balance().value / term)
     }
 
     /// A state from solved data, if they can be written as numbers.

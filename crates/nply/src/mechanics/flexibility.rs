@@ -4,12 +4,14 @@ use super::atlas::Condition;
 use super::{Balance, Equilibrium};
 
 impl Equilibrium {
-    /// dθ/df and dθ/dm at the held twist, (62): rad per unit of load. `None` at a fold, where they are unbounded.
+    /// dθ/df and dθ/dm at the held twist, (62): rad per unit of load. `None` at a fold, where they are unbounded, and so near
+    /// to one that rounding leaves fewer than four digits of them (or so near to θ = π/2, where the balance's terms cancel).
     #[must_use]
     pub fn angle_slopes(&self) -> Option<(f64, f64)> {
-        let slope = self.scaled_balance().slope;
+        let (slope, lost) = self.slope_and_rounding();
         let [_, _, _, force, moment] = self.balance.terms(&self.contact);
-        (!self.fold && slope != 0.0).then(|| (-force.value / slope, -self.handedness.sign() * moment.value / slope))
+        (!self.fold && slope.abs() > 1e4 * lost)
+            .then(|| (-force.value / slope, -self.handedness.sign() * moment.value / slope))
     }
 
     #[doc = include_str!("../equations/eq60.md")]

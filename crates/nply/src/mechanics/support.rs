@@ -289,7 +289,8 @@ impl Ply {
     /// Free helices: p̂ = 0 and ∂E/∂θ = 0 with θ and ρ both unknown.
     ///
     /// With y = sin θ/ρ and c = cos θ they read εm/n = y sin²θ + γ(ε r u₃)c and f/n = y(γ ε r u₃ − c y), the moment and the force of
-    /// a helical rod by itself. The first gives y, the second then is a polynomial of degree four in c.
+    /// a helical rod by itself. The first gives y, the second then is a polynomial of degree four in c. Where it vanishes for
+    /// every c (γ = 1 under a moment alone, without pretwist) every angle is as good as another, and none is given.
     fn free(&self, twist: Twist, load: Load, core: Option<f64>, states: &mut Vec<SupportedState>) {
         let n = f64::from(self.strands());
         let (love, held) = twist.weights(self.stiffness_ratio());

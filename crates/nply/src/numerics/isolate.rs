@@ -7,6 +7,8 @@
 //! counting as positive, so that a root on the border belongs to exactly one of them. Roots at coordinate 0 itself are
 //! divided out.
 
+use core::cell::Cell;
+
 use super::bernstein::{self, Bernstein, NODES, ORDER};
 use super::dual::Dual;
 use super::root;
@@ -37,6 +39,13 @@ pub(crate) struct Root {
     /// two roots that rounding cannot tell apart: the combination touches zero
     pub(crate) double: bool,
 }
+
+/// Where the terms of first order cancel at 0, roots nearer to it than this cannot be told from it: there the terms of
+/// higher order are a millionth of a millionth of those that cancel, and rounding is not far below.
+const NEAREST: f64 = 1e-6;
+
+/// Halvings in one search, far more than two roots near each other need.
+const MOST_HALVINGS: u32 = 1000;
 
 /// Halvings after which a panel is narrower than rounding can tell apart.
 const DEEPEST: u32 = 44;
@@ -104,7 +113,7 @@ impl<const K: usize> Panel<K> {
         for side in [1.0, -1.0] {
             let b: Bernstein = core::array::from_fn(|i| even[i] + side * odd[i]);
             if !bernstein::one_sign(&b, tolerance) {
-                let here = Combination { basis, pair, side };
+                let here = Combination { basis, pair, side, halvings: Cell::new(MOST_HALVINGS) };
                 self.search(&here, &b, tolerance, &mut |root| found(side, root), DEEPEST);
             }
         }
@@ -133,9 +142,17 @@ impl<const K: usize> Panel<K> {
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
-        if self.start == 0.0 && b[0].abs() <= self.rounding_at_start(here) {
-            self.search_past_zero(here, b, tolerance, found, depth);
-            return;
+        if self.start == 0.0 {
+            let (slope, size) = here.sum_and_size(&self.slopes);
+            let slope_lost = size > 0.0 && slope.abs() <= 8.0 * f64::EPSILON * size;
+            let unnoticed = if slope_lost { NEAREST * NEAREST * NEAREST * size } else { 0.0 };
+            if b[0].abs() <= self.rounding_at_start(here).max(unnoticed) {
+                match self.sign_past_zero(here, slope, slope_lost) {
+                    Some(from) => self.search_past_zero(here, b, tolerance, from, found, depth),
+                    None => self.search_away_from_zero(here, found, depth),
+                }
+                return;
+            }
         }
         match bernstein::sign_changes(b, tolerance) {
             0 => {}
@@ -148,12 +165,16 @@ impl<const K: usize> Panel<K> {
     fn halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
         let middle = 0.5 * (self.start + self.end);
         for (start, end) in [(self.start, middle), (middle, self.end)] {
-            let half = Self::fit(here.basis, start, end);
-            let (even, even_tolerance) = half.sum(&here.pair.even);
-            let (odd, odd_tolerance) = half.sum(&here.pair.odd);
-            let b = core::array::from_fn(|i| even[i] + here.side * odd[i]);
-            half.search(here, &b, even_tolerance + odd_tolerance, found, depth - 1);
+            Self::fit(here.basis, start, end).search_fitted(here, found, depth - 1);
         }
+    }
+
+    /// The search of a panel of which the combination's polynomial is not known yet.
+    fn search_fitted<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
+        let (even, even_tolerance) = self.sum(&here.pair.even);
+        let (odd, odd_tolerance) = self.sum(&here.pair.odd);
+        let b = core::array::from_fn(|i| even[i] + here.side * odd[i]);
+        self.search(here, &b, even_tolerance + odd_tolerance, found, depth);
     }
 
     /// More than one root is possible: ask the derivative.
@@ -167,6 +188,17 @@ impl<const K: usize> Panel<K> {
         depth: u32,
     ) {
         let (from, to) = (b[0] >= 0.0, b[ORDER - 1] >= 0.0);
+        let rounding = self.rounding(here);
+        if b.iter().all(|value| value.abs() <= rounding) {
+            // zero all over to within rounding: on a whole panel no root stands out; on a part of one, two roots may meet
+            if depth == DEEPEST {
+            } else if self.start > 0.0 {
+                here.around(0.5 * (self.start + self.end), self.start, self.end, from, to, found);
+            } else if from != to {
+                found(here.refine(self.start, self.end, from, 0.5 * self.end));
+            }
+            return;
+        }
         let mut differences = [0.0; ORDER - 1];
         for (difference, pair) in differences.iter_mut().zip(b.windows(2)) {
             *difference = pair[1] - pair[0];
@@ -184,35 +216,69 @@ impl<const K: usize> Panel<K> {
                 let top = here.extremum(self.start, self.end, differences[0] > 0.0);
                 here.around(top, self.start, self.end, from, to, found);
             }
-            _ if depth > 0 => self.halve(here, found, depth),
+            _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
             // narrower than rounding: value, slope and curvature vanish together
             _ => here.around(0.5 * (self.start + self.end), self.start, self.end, from, to, found),
         }
     }
 
-    /// The combination vanishes at coordinate 0: its roots elsewhere are those of the quotient by the coordinate.
+    /// The sign just past coordinate 0, where the combination vanishes; `None` where its first order cancels to rounding.
+    fn sign_past_zero<B: Basis<K>>(&self, here: &Combination<'_, B, K>, slope: f64, slope_lost: bool) -> Option<bool> {
+        if slope != 0.0 {
+            return (!slope_lost).then_some(slope > 0.0);
+        }
+        // all functions vanish to a higher order: so close to 0 nothing but the lowest counts
+        let values = here.basis.at(1e-60).map(|function| function.value);
+        let (value, size) = here.sum_and_size(&values);
+        (!slope_lost && value.abs() > 8.0 * f64::EPSILON * size).then_some(value > 0.0)
+    }
+
+    /// Roots beyond where the combination first stands out from the rounding of its terms, some thousandfold; nearer ones
+    /// cannot be told from the one at 0.
+    #[cold]
+    fn search_away_from_zero<B: Basis<K>>(
+        &self,
+        here: &Combination<'_, B, K>,
+        found: &mut impl FnMut(Root),
+        depth: u32,
+    ) {
+        let mut start = NEAREST;
+        while start < self.end && here.at(start).value.abs() < 1e3 * here.rounding(start) {
+            start *= 2.0;
+        }
+        if start < self.end {
+            Self::fit(here.basis, start, self.end).search_fitted(here, found, depth);
+        }
+    }
+
+    /// The combination vanishes at coordinate 0, beyond which it has the sign `from`: its roots elsewhere are those of the
+    /// quotient by the coordinate.
     #[cold]
     fn search_past_zero<B: Basis<K>>(
         &self,
         here: &Combination<'_, B, K>,
         b: &Bernstein,
         tolerance: f64,
+        from: bool,
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
-        let (slope, size) = here.sum_and_size(&self.slopes);
-        // where the slope vanishes too, the function itself tells its sign so close to 0 that nothing else counts
-        let from = if slope.abs() > 4.0 * f64::EPSILON * size { slope > 0.0 } else { here.at(1e-100).value >= 0.0 };
         // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1), of which the first keeps no digits but has a sure sign
         let mut quotient: [f64; ORDER - 1] = core::array::from_fn(|i| b[i + 1] * ((ORDER - 1) as f64 / (i + 1) as f64));
         quotient[0] = if from { 1.0 } else { -1.0 };
         match bernstein::sign_changes(&quotient, (ORDER - 1) as f64 * tolerance) {
             0 => {}
             1 => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
-            _ if depth > 0 => self.halve(here, found, depth),
+            _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
             _ if from == (b[ORDER - 1] >= 0.0) => {}
             _ => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
         }
+    }
+
+    /// What rounding may leave of a combination that vanishes on the whole panel.
+    fn rounding<B: Basis<K>>(&self, here: &Combination<'_, B, K>) -> f64 {
+        let greatest = self.functions.map(|f| f.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
+        8.0 * f64::EPSILON * here.sum_and_size(&greatest).1
     }
 
     /// What rounding may leave of a combination that vanishes at the start.
@@ -237,6 +303,8 @@ struct Combination<'a, B, const K: usize> {
     basis: &'a B,
     pair: &'a Pair<K>,
     side: Side,
+    /// halvings left: where rounding alone is at work they would go on and on
+    halvings: Cell<u32>,
 }
 
 impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
@@ -248,6 +316,13 @@ impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
             odd = odd + self.pair.odd[k] * *function;
         }
         even + self.side * odd
+    }
+
+    /// Takes one from the halvings left, if there is one.
+    fn may_halve(&self) -> bool {
+        let left = self.halvings.get();
+        self.halvings.set(left.saturating_sub(1));
+        left > 0
     }
 
     /// The combination of given values, and the sum of its terms' sizes.
@@ -413,6 +488,41 @@ mod tests {
                 assert!(((root - MIDWAY).abs() - WIDTH * libm::sqrt(libm::log(depth))).abs() < 1e-12, "{root}");
             }
         }
+    }
+
+    #[test]
+    fn zero_everywhere_has_no_root_that_stands_out() {
+        assert!(all(&[0.0; 7]).is_empty()); // and ends at once
+        let faint = with_roots(&[0.6, 0.7]).map(|c| c * 1e-300);
+        assert_eq!(all(&faint).len(), 2);
+    }
+
+    #[test]
+    fn orders_that_cancel_at_zero_end_the_search() {
+        // t − sin t and t cancel to third order: t − sin t − h t has a root at √(6h) about
+        struct Third;
+        impl Basis<3> for Third {
+            fn at(&self, t: f64) -> [Dual; 3] {
+                let (sin, cos) = libm::sincos(t);
+                [Dual::new(t, 1.0), Dual::new(sin, cos), Dual::new(t * t * t, 3.0 * t * t)]
+            }
+        }
+        let count = |weights: [f64; 3]| {
+            let mut roots = Vec::new();
+            let pair = Pair { even: weights, odd: [0.0; 3] };
+            Panel::fit(&Third, 0.0, 0.5).roots(&Third, &pair, &mut |side, root| {
+                if side > 0.0 {
+                    roots.push(root.at);
+                }
+            });
+            roots
+        };
+        assert!(count([1.0, -1.0, 0.0]).is_empty());
+        let _ = count([1.0, -1.0, -1.0 / 6.0]); // fifth order is lost in rounding, but the search ends
+        let small = count([1.0 - 1e-6, -1.0, 0.0]);
+        assert!(small.len() == 1 && (small[0] / libm::sqrt(6e-6) - 1.0).abs() < 1e-6, "{small:?}");
+        let half = count([1.0, -1.0, -1.0 / 6.0 + 1e-3]); // t⁵/120 = 1e-3 t³
+        assert!(half.len() == 1 && (half[0] - libm::sqrt(0.12)).abs() < 1e-2, "{half:?}");
     }
 
     #[test]

@@ -61,12 +61,12 @@ proptest! {
         if n >= 2 {
             let nf = f64::from(n);
             named(Contact::new(n, v), !(0.0..=half).contains(&v), "helical_angle", v)?;
-            named(Contact::from_lay_length(n, v), !(v > 2.0 * nf && v < f64::INFINITY), "lay_length", v)?;
-            named(Contact::from_lay_ratio(n, v), !(v > 0.0 && v < f64::INFINITY), "lay_ratio", v)?;
+            named(Contact::from_lay_length(n, v), !(v > 2.0 * nf && v <= 1e140), "lay_length", v)?;
+            named(Contact::from_lay_ratio(n, v), !(1e-140..=1e140).contains(&v), "lay_ratio", v)?;
             let straight = 1.0 / (std::f64::consts::PI / nf).sin();
             let reached = if n == 2 { v > 1.0 } else { v >= straight };
             prop_assume!((v - straight).abs() > 1e-14 * straight || n == 2);
-            named(Contact::from_radius_ratio(n, v), !(reached && v < f64::INFINITY), "radius_ratio", v)?;
+            named(Contact::from_radius_ratio(n, v), !(reached && v <= 1e140), "radius_ratio", v)?;
         }
     }
 

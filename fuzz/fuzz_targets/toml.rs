@@ -1,0 +1,59 @@
+//! Any bytes as a file: read, understood, solved and written in every form, or refused in one sentence.
+#![no_main]
+
+use std::time::{Duration, Instant};
+
+use libfuzzer_sys::fuzz_target;
+use nply_sheet::{Report, ShapeReport, Spec, SpecError};
+
+fn refused(error: &SpecError, text: &str) {
+    assert_eq!(error.to_string().lines().count(), 1, "{error}");
+    assert!(error.line().is_some() && error.column().is_some(), "{error}");
+    assert!(error.render(text).contains("--> "), "{error}");
+}
+
+fn is_json(text: &str) {
+    let read: serde_json::Value = serde_json::from_str(text).expect("JSON");
+    assert!(read.is_object());
+}
+
+fuzz_target!(|bytes: &[u8]| {
+    let begin = Instant::now();
+    read_and_report(bytes);
+    assert!(begin.elapsed() < LONGEST, "{:?}", begin.elapsed());
+});
+
+/// Nothing may take longer; the rest of the machine has a say in it, so look again by hand.
+const LONGEST: Duration = Duration::from_millis(250);
+
+fn read_and_report(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    let spec = match Spec::from_bytes("fuzz.toml", bytes) {
+        Ok(spec) => spec,
+        Err(error) => return refused(&error, &text),
+    };
+    match spec.check().and_then(Report::of) {
+        Ok(report) => {
+            let table = report.text(true);
+            assert!(!table.contains("NaN") || report.case.title.is_some(), "{table}");
+            is_json(&report.json());
+            let csv = report.csv();
+            let mut rows = csv.lines().map(|row| row.split(',').count());
+            let head = rows.next();
+            assert!(rows.all(|cells| Some(cells) == head));
+            for state in &report.solution.states {
+                let angle = state.contact().helical_angle();
+                assert!(angle > 0.0 || report.solution.straight.is_none(), "{angle}");
+                assert!(angle <= core::f64::consts::FRAC_PI_2, "{angle}");
+            }
+        }
+        Err(error) => refused(&error, &text),
+    }
+    match spec.check_shape().and_then(|shape| ShapeReport::of(shape, 4)) {
+        Ok(report) => {
+            let _ = report.text(false);
+            is_json(&report.json());
+        }
+        Err(error) => refused(&error, &text),
+    }
+}
