@@ -36,7 +36,7 @@ proptest! {
             prop_assert_eq!(p1 > 0.0, matches!(support, Support::Neighbours | Support::Both));
             prop_assert_eq!(pc > 0.0, matches!(support, Support::Core | Support::Both));
             let theta = angle.radians();
-            if theta < 0.02 || theta > 1.55 { continue; } // differences lose their digits there
+            if !(0.02..=1.55).contains(&theta) { continue; } // differences lose their digits there
             let (n, eps) = (f64::from(n), handedness.sign());
             let (by_angle, by_radius) = slopes(|t, r| energy(n, gamma, eps, twist, load, t, r), theta, rho);
             // ∂E/∂θ = −p₁ x²ρ² cot θ/2 and ∂E/∂ρ = 2p₁/ρ + p_c
