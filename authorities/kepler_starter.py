@@ -2,16 +2,16 @@
 
     python authorities/kepler_starter.py > crates/nply/src/numerics/kepler_starter.rs
 
-With lambda = 2 pi/n, w = cos(theta)^2 and E = lambda - x sin(theta), contact is E + tan(theta)^2 sin E = lambda.
-E/w is smooth in w; each row holds the monomial coefficients, in u on (-1, 1), of its Chebyshev interpolant on 64 nodes
-cut at degree 12.  n = 2 has a square root at theta = pi/4 and gets two rows: the tall one (w < 1/4) as the others, and
-(pi - E)/sqrt(1 - v) in v = cot(theta)^2.      pip install mpmath numpy
+With lambda = 2 pi/n and E = lambda - x sin(theta), contact is E + tan(theta)^2 sin E = lambda.  E/t^2 is smooth in t^2,
+t = pi/2 - theta, which is known before any sine; each row holds the monomial coefficients, in u on (-1, 1), of its
+Chebyshev interpolant on 64 nodes, cut.  n = 2 has a square root at theta = pi/4 and gets two rows of its own: E/w in
+w = cos(theta)^2 < 1/4, and (pi - E)/sqrt(1 - v) in v = cot(theta)^2.      pip install mpmath numpy
 """
 import numpy as np, mpmath as mp
 from numpy.polynomial import chebyshev as C
 
 mp.mp.dps = 40
-DEGREE, NODES = 12, 64
+DEGREE, MAIN_DEGREE, NODES = 12, 14, 64
 
 
 def anomaly(n, w):
@@ -30,10 +30,10 @@ def sinc_inverse(v):
     return mp.findroot(lambda z: mp.sin(z) / z - v, mp.sqrt(6 * (1 - v)) * (1 + (1 - v) * mp.mpf("0.28")), tol=1e-34)
 
 
-def row(f, a, b):
+def row(f, a, b, degree=DEGREE):
     x = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)
     y = np.array([float(f(mp.mpf(a) + (mp.mpf(b) - a) * (mp.mpf(t) + 1) / 2)) for t in x])
-    c = C.chebfit(x, y, NODES - 1)[: DEGREE + 1]
+    c = C.chebfit(x, y, NODES - 1)[: degree + 1]
     error = np.abs(C.chebval(x, c) / y - 1).max()
     return C.cheb2poly(c), error
 
@@ -53,10 +53,11 @@ c, err = row(lambda v: sinc_inverse(v) / mp.sqrt(1 - v), 0, 1)
 show("PITCHFORK", f"n = 2: (π − E)/√(1 − v), v = cot²θ = (1 + u)/2. Relative error {err:.1e}.", c)
 c, err = row(lambda w: anomaly(2, w) / w, 0, mp.mpf(1) / 4)
 show("TALL", f"n = 2, w < 1/4: E/w, w = (1 + u)/8. Relative error {err:.1e}.", c)
-print("/// n = 3 … 12: E/w, w = (1 + u)/2.")
-rows = [row(lambda w: anomaly(n, w) / w, 0, 1) for n in range(3, 13)]
+print("/// n = 3 … 12: E/t², t = π/2 − θ, t² = (1 + u)π²/8.")
+quarter = mp.pi**2 / 4
+rows = [row(lambda v: anomaly(n, mp.sin(mp.sqrt(v)) ** 2) / v, 0, quarter, MAIN_DEGREE) for n in range(3, 13)]
 print("/// Relative errors " + ", ".join(f"{e:.0e}" for _, e in rows) + ".")
-print(f"pub(super) const MAIN: [[f64; {DEGREE + 1}]; 10] = [")
+print(f"pub(super) const MAIN: [[f64; {MAIN_DEGREE + 1}]; 10] = [")
 for c, _ in rows:
     print("    [")
     for k in c:

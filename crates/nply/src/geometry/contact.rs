@@ -79,7 +79,7 @@ impl Contact {
     pub(crate) fn at(strands: u32, angle: HelicalAngle) -> Self {
         let (s, c) = (angle.sin(), angle.cos());
         let cos_double = if strands == 2 { angle.cos_double() } else { 0.0 };
-        let half = main_branch(strands, s, c, cos_double);
+        let half = main_branch(strands, angle.pitch_angle(), s, c, cos_double);
         Self { strands, angle, half, gap: c * c + s * s * half.cos * half.cos }
     }
 
