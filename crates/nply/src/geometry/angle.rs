@@ -40,7 +40,7 @@ impl HelicalAngle {
     ///
     /// # Errors
     /// [`DomainError`] unless 0 ≤ θ < π/2.
-    #[inline]
+    #[inline(always)]
     pub fn new(helical_angle: f64) -> Result<Self, DomainError> {
         DomainError::check(
             (0.0..=FRAC_PI_2).contains(&helical_angle), // the double nearest to π/2 lies below π/2
@@ -72,7 +72,7 @@ impl HelicalAngle {
     }
 
     /// θ already known to lie in [0, π/2): the strands stand steeply.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn steep(helical: f64) -> Self {
         let (sin, cos) = sincos(helical);
         Self {

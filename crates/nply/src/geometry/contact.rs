@@ -42,7 +42,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`DomainError`] on `strands` or `helical_angle`.
-    #[inline]
+    #[inline(always)]
     pub fn new(strands: u32, helical_angle: f64) -> Result<Self, DomainError> {
         check_strands(strands)?;
         Ok(Self::at(strands, HelicalAngle::new(helical_angle)?))
@@ -130,7 +130,7 @@ impl Contact {
     /// assert!((x * 0.25 + s * (x * s - std::f64::consts::TAU / 3.0).sin()).abs() < 1e-15);
     /// # Ok::<(), nply::DomainError>(())
     /// ```
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn arclength_shift(&self) -> f64 {
         let (s, c) = (self.angle.sin(), self.angle.cos());
@@ -140,7 +140,7 @@ impl Contact {
     #[doc = include_str!("../equations/eq04.md")]
     ///
     /// ρ = R/r: 1/sin(π/n) for straight strands (7), growing with θ, without bound as θ → π/2.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn radius_ratio(&self) -> f64 {
         // above 1 by nature; just past the pitchfork rounding alone could take it below
