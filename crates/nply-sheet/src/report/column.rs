@@ -157,6 +157,7 @@ pub const COLUMNS: &[Column] = {
         column(Response, "extension_per_moment_as_published", "", Number, |s| flexibility_published(s, 0, 1)),
         column(Response, "rotation_per_force_as_published", "", Number, |s| flexibility_published(s, 1, 0)),
         column(Response, "rotation_per_moment_as_published", "", Number, |s| flexibility_published(s, 1, 1)),
+        column(Response, "second_variation", "second variation of energy", Force, |s| s.second_variation()),
         column(Response, "balance_slope", "", Number, |s| Some(s.balance_slope())),
     ]
 };

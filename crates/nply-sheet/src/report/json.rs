@@ -57,6 +57,8 @@ impl Report {
         object.insert("handedness".into(), json!(sign));
         object.insert("lay".into(), json!(state.handedness().lay_letter().to_string()));
         object.insert("separated".into(), json!(state.is_separated() && !super::at_separation(&self.case)));
+        let verdict = state.stability().map(|_| super::text::verdict(state));
+        object.insert("stability".into(), json!(verdict));
         object.insert("fold".into(), json!(state.is_fold()));
         object.insert("helical_angle".into(), json!(state.contact().helical_angle()));
         let mut si = Map::new();

@@ -97,6 +97,13 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
             if folds.len() == 1 { "is" } else { "are" },
         ));
     }
+    if solution.states.iter().any(|state| state.stability().is_some()) {
+        notes.push(
+            "Stable means among uniform plies under dead end loads; buckling as a whole, local loops and the collapse of a hole \
+             are not covered."
+                .to_owned(),
+        );
+    }
     if let Some(others) = &solution.other_balance {
         notes.extend(difference(case, &solution.states, others));
     }

@@ -6,7 +6,7 @@ use super::{COLUMNS, Column, Known, Report, found};
 use crate::preferred::six_digits;
 use crate::{Case, PreferredUnits};
 use nply::Handedness;
-use nply::mechanics::Equilibrium;
+use nply::mechanics::{Equilibrium, Stability};
 
 /// Headings stand out where a terminal can show it.
 pub(super) struct Emphasis(pub(super) bool);
@@ -33,14 +33,15 @@ impl Report {
         let _ = writeln!(out, "{}", emphasis.heading(&headline(&self.case)));
         let states = &self.solution.states;
         if !states.is_empty() {
-            let mut parts: Vec<(&str, Vec<Row>)> = vec![(
-                "",
-                vec![
-                    row("state", "", (1..=states.len()).map(|i| i.to_string())),
-                    row("hand", "", states.iter().map(|s| hand(s.handedness()).to_owned())),
-                    row("strands", "", states.iter().map(|s| self.touch(s).to_owned())),
-                ],
-            )];
+            let mut head = vec![
+                row("state", "", (1..=states.len()).map(|i| i.to_string())),
+                row("hand", "", states.iter().map(|s| hand(s.handedness()).to_owned())),
+                row("strands", "", states.iter().map(|s| self.touch(s).to_owned())),
+            ];
+            if states.iter().any(|s| s.stability().is_some()) {
+                head.push(row("under dead loads", "", states.iter().map(|s| verdict(s).to_owned())));
+            }
+            let mut parts = vec![("", head)];
             for column in COLUMNS.iter().filter(|column| !column.label.is_empty()) {
                 let Some(row) = self.row(column) else { continue };
                 let heading = column.section.heading();
@@ -100,6 +101,16 @@ fn of_values(
         unit: reading.unit.clone(),
         cells: values.iter().map(cell).collect(),
     })
+}
+
+/// Stable or not, where that can be said.
+pub(super) fn verdict(state: &Equilibrium) -> &'static str {
+    match state.stability() {
+        Some(Stability::Stable) => "stable",
+        Some(Stability::Unstable) => "unstable",
+        Some(Stability::Marginal) => "marginal",
+        None => "–",
+    }
 }
 
 pub(super) const fn hand(handedness: Handedness) -> &'static str {

@@ -2,7 +2,7 @@
 
 use nply::Handedness;
 use nply::geometry::Contact;
-use nply::mechanics::{Balance, Load, Ply, Support, SupportedState, Twist};
+use nply::mechanics::{Balance, Load, Ply, Stability, Support, SupportedState, Twist};
 use proptest::prelude::*;
 
 use crate::config;
@@ -104,6 +104,33 @@ proptest! {
                 // (40)
                 let g = 2.0 * strands * s.powi(3) * c + eps * strands * rho * gamma * state.strand_twist * (2.0 * theta).cos() + rho * rho * f * s;
                 prop_assert!(g.abs() < 1e-11 * (1.0 + f) * rho * rho * strands, "{g} {state:?}");
+            }
+        }
+    }
+
+    /// A stable state is where energy is least among its neighbours along touching strands, an unstable one is not; and a state that
+    /// may lift off too (θ and ρ both free, ρ above contact) has no way down either.
+    #[test]
+    fn stable_states_are_least_in_energy(n in 2..10_u32, gamma in 0.4..1.5, twist in -3.0..3.0, f in -0.5..3.0, m in -3.0..3.0, lift in 0.0..1.0) {
+        let load = Load { force: f, moment: m };
+        for state in Ply::new(n, gamma).unwrap().equilibria(Twist::Pretwist(twist), load).unwrap() {
+            let Some(verdict) = state.stability() else { continue };
+            let theta = state.contact().helical_angle();
+            // the corner of two strands at 45° has two curvatures, and the ends are too near to step aside
+            if !(0.05..1.5).contains(&theta) || n == 2 && (theta - std::f64::consts::FRAC_PI_4).abs() < 0.01 { continue; }
+            let e = |t: f64, above: f64| {
+                let rho = Contact::new(n, t).unwrap().radius_ratio() + above;
+                energy(f64::from(n), gamma, state.handedness().sign(), twist, load, t, rho)
+            };
+            let h = 1e-3;
+            let sides = [e(theta - h, 0.0) - e(theta, 0.0), e(theta + h, 0.0) - e(theta, 0.0)];
+            if state.second_variation().unwrap().abs() > 0.02 {
+                prop_assert_eq!(verdict == Stability::Stable, sides.iter().all(|rise| *rise > 0.0), "{:?} {:?}", state, sides);
+                prop_assert_eq!(verdict == Stability::Unstable, sides.iter().all(|rise| *rise < 0.0), "{:?} {:?}", state, sides);
+            }
+            if verdict == Stability::Stable && state.interstrand_pressure() > 1e-3 {
+                let up = 1e-5 * lift;
+                prop_assert!(e(theta, up) >= e(theta, 0.0), "{state:?} lifts off");
             }
         }
     }
