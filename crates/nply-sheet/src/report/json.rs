@@ -9,7 +9,16 @@ use nply::mechanics::Twist;
 use crate::Question;
 
 /// The version of this layout: it changes when a key is renamed or removed, not when one is added.
-pub(super) const SCHEMA_VERSION: u32 = 1;
+const SCHEMA_VERSION: u32 = 1;
+
+/// Who wrote this, and in which layout.
+pub(super) fn header() -> Map<String, Value> {
+    let mut top = Map::new();
+    top.insert("program".into(), json!("nply"));
+    top.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));
+    top.insert("schema_version".into(), json!(SCHEMA_VERSION));
+    top
+}
 
 impl Report {
     /// The report as JSON. Numbers are dimensionless (r = B = 1, angles named `_deg` in degrees, others in rad); where the
@@ -18,10 +27,7 @@ impl Report {
     #[must_use]
     pub fn json(&self) -> String {
         let case = &self.case;
-        let mut top = Map::new();
-        top.insert("program".into(), json!("nply"));
-        top.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));
-        top.insert("schema_version".into(), json!(SCHEMA_VERSION));
+        let mut top = header();
         top.insert("balance".into(), json!(case.balance.name()));
         if let Some(title) = &case.title {
             top.insert("title".into(), json!(title));

@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use nply::geometry::{Contact, DensestHelix, SpecialLays, packing_fraction};
 use serde_json::{Map, Value, json};
 
-use super::json::SCHEMA_VERSION;
+use super::json::header;
 use super::text::{Emphasis, Row, lay_out};
 use crate::preferred::six_digits;
 
@@ -119,10 +119,7 @@ impl LaysReport {
     /// As JSON; a lay that these strands do not have is null.
     #[must_use]
     pub fn json(&self) -> String {
-        let mut top = Map::new();
-        top.insert("program".into(), json!("nply"));
-        top.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));
-        top.insert("schema_version".into(), json!(SCHEMA_VERSION));
+        let mut top = header();
         top.insert("strands".into(), json!(self.strands));
         for lay in &self.lays {
             let object = lay.shape.map(|(angle, rho)| {

@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use nply::geometry::{Branch, BranchKind, Contact, DensestHelix, HelicalAngle, Section, branches};
 use serde_json::{Map, Value, json};
 
-use super::json::SCHEMA_VERSION;
+use super::json::header;
 use super::measure::{Known, Measure};
 use super::text::{Emphasis, Row, lay_out};
 use crate::preferred::six_digits;
@@ -141,10 +141,7 @@ impl ShapeReport {
     /// As JSON, lengths in units of r; where r is known, in m too under `si`.
     #[must_use]
     pub fn json(&self) -> String {
-        let mut top = Map::new();
-        top.insert("program".into(), json!("nply"));
-        top.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));
-        top.insert("schema_version".into(), json!(SCHEMA_VERSION));
+        let mut top = header();
         top.insert("strands".into(), json!(self.shape.strands));
         let (mut si, mut units) = (Map::new(), Map::new());
         for (name, _, measure, value) in self.items() {

@@ -7,11 +7,11 @@
 //! counting as positive, so that a root on the border belongs to exactly one of them. Roots at coordinate 0 itself are
 //! divided out.
 
-use core::cell::Cell;
+mod combination;
 
 use super::bernstein::{self, Bernstein, NODES, ORDER};
 use super::dual::Dual;
-use super::root;
+use combination::Combination;
 
 /// K functions of one coordinate, with their slopes.
 pub(crate) trait Basis<const K: usize> {
@@ -43,9 +43,6 @@ pub(crate) struct Root {
 /// Where the terms of first order cancel at 0, roots nearer to it than this cannot be told from it: there the terms of
 /// higher order are a millionth of a millionth of those that cancel, and rounding is not far below.
 const NEAREST: f64 = 1e-6;
-
-/// Halvings in one search, far more than two roots near each other need.
-const MOST_HALVINGS: u32 = 1000;
 
 /// Halvings after which a panel is narrower than rounding can tell apart.
 const DEEPEST: u32 = 44;
@@ -107,13 +104,11 @@ impl<const K: usize> Panel<K> {
     /// Hands every root of either combination on this panel to `found`, in no order.
     #[inline]
     pub(crate) fn roots(&self, basis: &impl Basis<K>, pair: &Pair<K>, found: &mut impl FnMut(Side, Root)) {
-        let (even, even_tolerance) = self.sum(&pair.even);
-        let (odd, odd_tolerance) = self.sum(&pair.odd);
-        let tolerance = even_tolerance + odd_tolerance;
+        let parts = (self.sum(&pair.even), self.sum(&pair.odd));
         for side in [1.0, -1.0] {
-            let b: Bernstein = core::array::from_fn(|i| even[i] + side * odd[i]);
+            let (b, tolerance) = joined(&parts, side);
             if !bernstein::one_sign(&b, tolerance) {
-                let here = Combination { basis, pair, side, halvings: Cell::new(MOST_HALVINGS) };
+                let here = Combination::new(basis, pair, side);
                 self.search(&here, &b, tolerance, &mut |root| found(side, root), DEEPEST);
             }
         }
@@ -121,7 +116,7 @@ impl<const K: usize> Panel<K> {
 
     /// The polynomial of a weighted sum, and how far it may be off.
     #[inline]
-    fn sum(&self, weights: &[f64; K]) -> (Bernstein, f64) {
+    fn sum(&self, weights: &[f64; K]) -> Sum {
         let (mut sum, mut tolerance) = ([0.0; ORDER], 0.0);
         for (k, &weight) in weights.iter().enumerate() {
             if weight != 0.0 {
@@ -171,10 +166,9 @@ impl<const K: usize> Panel<K> {
 
     /// The search of a panel of which the combination's polynomial is not known yet.
     fn search_fitted<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
-        let (even, even_tolerance) = self.sum(&here.pair.even);
-        let (odd, odd_tolerance) = self.sum(&here.pair.odd);
-        let b = core::array::from_fn(|i| even[i] + here.side * odd[i]);
-        self.search(here, &b, even_tolerance + odd_tolerance, found, depth);
+        let parts = (self.sum(&here.pair.even), self.sum(&here.pair.odd));
+        let (b, tolerance) = joined(&parts, here.side);
+        self.search(here, &b, tolerance, found, depth);
     }
 
     /// More than one root is possible: ask the derivative.
@@ -191,10 +185,10 @@ impl<const K: usize> Panel<K> {
         let rounding = self.rounding(here);
         if b.iter().all(|value| value.abs() <= rounding) {
             // zero all over to within rounding: on a whole panel no root stands out; on a part of one, two roots may meet
-            if depth == DEEPEST {
-            } else if self.start > 0.0 {
+            let part = depth < DEEPEST;
+            if part && self.start > 0.0 {
                 here.around(0.5 * (self.start + self.end), self.start, self.end, from, to, found);
-            } else if from != to {
+            } else if part && from != to {
                 found(here.refine(self.start, self.end, from, 0.5 * self.end));
             }
             return;
@@ -298,238 +292,15 @@ impl<const K: usize> Panel<K> {
     }
 }
 
-/// One combination of a pair, evaluated exactly.
-struct Combination<'a, B, const K: usize> {
-    basis: &'a B,
-    pair: &'a Pair<K>,
-    side: Side,
-    /// halvings left: where rounding alone is at work they would go on and on
-    halvings: Cell<u32>,
-}
+/// A polynomial and how far it may be off.
+type Sum = (Bernstein, f64);
 
-impl<B: Basis<K>, const K: usize> Combination<'_, B, K> {
-    #[inline]
-    fn at(&self, t: f64) -> Dual {
-        let (mut even, mut odd) = (Dual::new(0.0, 0.0), Dual::new(0.0, 0.0));
-        for (k, function) in self.basis.at(t).iter().enumerate() {
-            even = even + self.pair.even[k] * *function;
-            odd = odd + self.pair.odd[k] * *function;
-        }
-        even + self.side * odd
-    }
-
-    /// Takes one from the halvings left, if there is one.
-    fn may_halve(&self) -> bool {
-        let left = self.halvings.get();
-        self.halvings.set(left.saturating_sub(1));
-        left > 0
-    }
-
-    /// The combination of given values, and the sum of its terms' sizes.
-    fn sum_and_size(&self, values: &[f64; K]) -> (f64, f64) {
-        let (mut even, mut odd, mut size) = (0.0, 0.0, 0.0);
-        for (k, value) in values.iter().enumerate() {
-            even += self.pair.even[k] * value;
-            odd += self.pair.odd[k] * value;
-            size += (self.pair.even[k] * value).abs() + (self.pair.odd[k] * value).abs();
-        }
-        (even + self.side * odd, size)
-    }
-
-    /// What rounding may make of the combination at `t`.
-    fn rounding(&self, t: f64) -> f64 {
-        8.0 * f64::EPSILON * self.sum_and_size(&self.basis.at(t).map(|f| f.value)).1
-    }
-
-    /// The root between `low` and `high`, of which the combination is positive at `low` or at `high` alone.
-    #[inline]
-    fn refine(&self, low: f64, high: f64, positive_low: bool, start: f64) -> Root {
-        let (at, slope) = root::bracketed(|t| self.at(t), low, high, positive_low, start);
-        Root { at, slope, double: false }
-    }
-
-    /// Where the slope vanishes, known to happen once between `low` and `high`.
-    fn extremum(&self, mut low: f64, mut high: f64, rises: bool) -> f64 {
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if (self.at(middle).slope > 0.0) == rises {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
-    }
-
-    /// The roots on either side of the only extremum, at `top`.
-    fn around(&self, top: f64, start: f64, end: f64, from: bool, to: bool, found: &mut impl FnMut(Root)) {
-        let height = self.at(top);
-        let above = height.value >= 0.0;
-        if from != to {
-            let (low, high) = if above == from { (top, end) } else { (start, top) };
-            found(self.refine(low, high, from, 0.5 * (low + high)));
-        } else if height.value.abs() <= self.rounding(top) {
-            found(Root { at: top, slope: height.slope, double: true });
-        } else if above != from {
-            found(self.refine(start, top, from, 0.5 * (start + top)));
-            found(self.refine(top, end, above, 0.5 * (top + end)));
-        }
-    }
+/// Even part plus, or less, odd part.
+#[inline]
+fn joined(parts: &(Sum, Sum), side: Side) -> Sum {
+    let ((even, even_tolerance), (odd, odd_tolerance)) = parts;
+    (core::array::from_fn(|i| even[i] + side * odd[i]), even_tolerance + odd_tolerance)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Powers 1, t, … t⁶, of which any polynomial is a combination.
-    struct Powers;
-
-    impl Basis<7> for Powers {
-        fn at(&self, t: f64) -> [Dual; 7] {
-            let x = Dual::new(t, 1.0);
-            let mut power = Dual::new(1.0, 0.0);
-            core::array::from_fn(|_| {
-                let this = power;
-                power = power * x;
-                this
-            })
-        }
-    }
-
-    /// Coefficients of Π (t − root).
-    fn with_roots(roots: &[f64]) -> [f64; 7] {
-        let mut c = [0.0; 7];
-        c[0] = 1.0;
-        for (degree, root) in roots.iter().enumerate() {
-            for k in (0..=degree + 1).rev() {
-                c[k] = if k > 0 { c[k - 1] } else { 0.0 } - root * c[k];
-            }
-        }
-        c
-    }
-
-    fn all(weights: &[f64; 7]) -> Vec<Root> {
-        let mut roots = Vec::new();
-        for i in 0..4 {
-            let (a, b) = (0.25 * f64::from(i), 0.25 * f64::from(i + 1));
-            // of the mirror image, with all coefficients negative, the roots are the same
-            let pair = Pair { even: [0.0; 7], odd: *weights };
-            Panel::fit(&Powers, a, b).roots(&Powers, &pair, &mut |side, root| {
-                if side > 0.0 {
-                    roots.push(root);
-                }
-            });
-        }
-        roots.sort_by(|a, b| a.at.total_cmp(&b.at));
-        roots
-    }
-
-    #[test]
-    fn none_missed_none_twice() {
-        for roots in [
-            vec![],
-            vec![0.3],
-            vec![0.25], // on a border
-            vec![0.25, 0.5, 0.75],
-            vec![0.4, 0.4000001],
-            vec![0.1, 0.10001, 0.9, 0.95],
-            vec![0.2, 0.7, 1.5, -0.3],
-            vec![1e-7, 0.6],
-            vec![0.31, 0.32, 0.33, 0.34, 0.35],
-        ] {
-            let got = all(&with_roots(&roots));
-            let mut inside: Vec<f64> = roots.iter().copied().filter(|r| (0.0..1.0).contains(r)).collect();
-            inside.sort_by(f64::total_cmp);
-            assert_eq!(got.len(), inside.len(), "{roots:?} gave {got:?}");
-            for (g, want) in got.iter().zip(&inside) {
-                assert!((g.at - want).abs() < 1e-8 && !g.double, "{roots:?} gave {got:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn touching_zero_is_one_double_root() {
-        let got = all(&with_roots(&[0.6, 0.6]));
-        assert!(got.len() == 1 && got[0].double && (got[0].at - 0.6).abs() < 1e-7, "{got:?}");
-        let got = all(&[0.36 + 1e-9, -1.2, 1.0, 0.0, 0.0, 0.0, 0.0]); // and misses it by 1e-9
-        assert!(got.is_empty(), "{got:?}");
-    }
-
-    /// A dip midway between two nodes, so narrow that the nodes hardly see it.
-    struct Dip;
-
-    const MIDWAY: f64 = 0.5 * (NODES[4] + NODES[5]);
-    const WIDTH: f64 = 0.03;
-
-    impl Basis<2> for Dip {
-        fn at(&self, t: f64) -> [Dual; 2] {
-            let from = (t - MIDWAY) / WIDTH;
-            let dip = libm::exp(-from * from);
-            [Dual::new(dip, -2.0 * from / WIDTH * dip), Dual::new(1.0, 0.0)]
-        }
-    }
-
-    #[test]
-    fn where_the_polynomials_fail_they_are_not_trusted() {
-        let panel = Panel::fit(&Dip, 0.0, 1.0);
-        for (depth, want) in [(1.2, 2), (0.999, 0)] {
-            let pair = Pair { even: [-depth, 1.0], odd: [0.0; 2] };
-            let mut roots = Vec::new();
-            panel.roots(&Dip, &pair, &mut |side, root| {
-                if side > 0.0 {
-                    roots.push(root.at);
-                }
-            });
-            assert_eq!(roots.len(), want, "depth {depth}: {roots:?}");
-            for root in roots {
-                assert!(((root - MIDWAY).abs() - WIDTH * libm::sqrt(libm::log(depth))).abs() < 1e-12, "{root}");
-            }
-        }
-    }
-
-    #[test]
-    fn zero_everywhere_has_no_root_that_stands_out() {
-        assert!(all(&[0.0; 7]).is_empty()); // and ends at once
-        let faint = with_roots(&[0.6, 0.7]).map(|c| c * 1e-300);
-        assert_eq!(all(&faint).len(), 2);
-    }
-
-    #[test]
-    fn orders_that_cancel_at_zero_end_the_search() {
-        // t − sin t and t cancel to third order: t − sin t − h t has a root at √(6h) about
-        struct Third;
-        impl Basis<3> for Third {
-            fn at(&self, t: f64) -> [Dual; 3] {
-                let (sin, cos) = libm::sincos(t);
-                [Dual::new(t, 1.0), Dual::new(sin, cos), Dual::new(t * t * t, 3.0 * t * t)]
-            }
-        }
-        let count = |weights: [f64; 3]| {
-            let mut roots = Vec::new();
-            let pair = Pair { even: weights, odd: [0.0; 3] };
-            Panel::fit(&Third, 0.0, 0.5).roots(&Third, &pair, &mut |side, root| {
-                if side > 0.0 {
-                    roots.push(root.at);
-                }
-            });
-            roots
-        };
-        assert!(count([1.0, -1.0, 0.0]).is_empty());
-        let _ = count([1.0, -1.0, -1.0 / 6.0]); // fifth order is lost in rounding, but the search ends
-        let small = count([1.0 - 1e-6, -1.0, 0.0]);
-        assert!(small.len() == 1 && (small[0] / libm::sqrt(6e-6) - 1.0).abs() < 1e-6, "{small:?}");
-        let half = count([1.0, -1.0, -1.0 / 6.0 + 1e-3]); // t⁵/120 = 1e-3 t³
-        assert!(half.len() == 1 && (half[0] - libm::sqrt(0.12)).abs() < 1e-2, "{half:?}");
-    }
-
-    #[test]
-    fn zero_itself_is_divided_out() {
-        let got = all(&with_roots(&[0.0, 0.0, 0.6])); // t²(t − 0.6)
-        assert!(got.len() == 1 && (got[0].at - 0.6).abs() < 1e-14, "{got:?}");
-        let got = all(&with_roots(&[0.0, 1e-12, 0.6]));
-        assert!(got.len() == 2 && (got[0].at / 1e-12 - 1.0).abs() < 1e-12, "{got:?}");
-    }
-}
+mod tests;
