@@ -1,11 +1,12 @@
 //! Kepler's equation in the form that contact takes: E + tan²θ sin E = λ, λ = 2π/n, 0 < E ≤ λ.
 //!
-//! E = π − z and λ = π − M turn it into z − e sin z = M with eccentricity e = tan²θ. The main branch has one root. A
-//! polynomial starts within 4e-5 of it (relative) and one correction of fourth order ends within rounding: no iteration.
+//! E = π − z and λ = π − M turn it into z − e sin z = M with eccentricity e = tan²θ. The main branch has one root. For up to
+//! twelve strands it is charted: polynomials in the pitch angle, exact to rounding, with nothing left to correct. Two strands
+//! past π/4, and more than twelve, start from a close guess, and one correction of fourth order ends within rounding.
 
 use core::f64::consts::PI;
 
-use super::kepler_starter::{LAST, MAIN, PITCHFORK, TALL};
+use super::kepler_chart::{CHARTS, LAST, PIECES, PITCHFORK, TALL};
 use super::quadrant::sincos;
 use super::series::one_minus_sinc;
 
@@ -37,9 +38,11 @@ impl HalfAnomaly {
 #[inline(always)]
 pub(crate) fn main_branch(strands: u32, pitch: f64, s: f64, c: f64, cos_double: f64) -> HalfAnomaly {
     let w = c * c;
-    if strands > 2 {
+    if strands > 2 && strands as usize <= LAST {
+        charted(strands as usize, pitch, s, w)
+    } else if strands > 2 {
         let lambda = 2.0 * PI / f64::from(strands);
-        rising(start(strands, lambda, pitch, s, w), lambda, s, w)
+        rising(start(lambda, s, w), lambda, s, w)
     } else if cos_double >= 0.0 {
         HalfAnomaly::LINE
     } else if w < 0.25 {
@@ -49,19 +52,24 @@ pub(crate) fn main_branch(strands: u32, pitch: f64, s: f64, c: f64, cos_double: 
     }
 }
 
-/// Where the correction for n ≥ 3 begins.
+/// Three to twelve strands, from the pitch angle alone, while sine and cosine of the angle are still being worked out.
 #[inline(always)]
-fn start(strands: u32, lambda: f64, pitch: f64, s: f64, w: f64) -> f64 {
-    if strands as usize <= LAST {
-        // from the angle itself, while its sine and cosine are still being worked out
-        let square = pitch * pitch;
-        square * long_polynomial(&MAIN[strands as usize - 3], square * (8.0 / (PI * PI)) - 1.0)
-    } else {
-        // sin E = E − E³/6 turned round to third order; λ < 1/2 leaves a relative error below 1e-4
-        let first = lambda * w;
-        let a = s * s * first * first / 6.0;
-        first * (1.0 + a * (1.0 + 3.0 * a))
-    }
+fn charted(strands: usize, pitch: f64, s: f64, w: f64) -> HalfAnomaly {
+    let place = pitch * (PIECES as f64 * core::f64::consts::FRAC_2_PI);
+    let piece = (place as usize).min(PIECES - 1); // straight strands stand at the end of the last
+    let u = 2.0 * (place - piece as f64) - 1.0;
+    let [sine, cosine] = &CHARTS[strands - 3][piece];
+    let (sin, cos) = (pitch * pitch * short_polynomial(sine, u), short_polynomial(cosine, u));
+    HalfAnomaly { sin, cos, slope: w + s * s * (cos - sin) * (cos + sin) }
+}
+
+/// Where the correction for many strands begins: sin E = E − E³/6 turned round to third order; λ < 1/2 leaves a relative
+/// error below 1e-4.
+#[inline]
+fn start(lambda: f64, s: f64, w: f64) -> f64 {
+    let first = lambda * w;
+    let a = s * s * first * first / 6.0;
+    first * (1.0 + a * (1.0 + 3.0 * a))
 }
 
 /// One correction of fourth order in E on the rising part of E + e sin E, all terms multiplied by w = cos²θ.
@@ -116,15 +124,13 @@ fn polynomial(a: &[f64; 13], u: f64) -> f64 {
     (low + middle * u4) + (high + a[12] * u4) * u8
 }
 
-/// As [`polynomial`], two degrees more.
+/// As [`polynomial`], one degree less.
 #[inline(always)]
-fn long_polynomial(a: &[f64; 15], u: f64) -> f64 {
+fn short_polynomial(a: &[f64; 12], u: f64) -> f64 {
     let u2 = u * u;
     let u4 = u2 * u2;
-    let u8 = u4 * u4;
     let low = (a[0] + a[1] * u) + (a[2] + a[3] * u) * u2;
     let middle = (a[4] + a[5] * u) + (a[6] + a[7] * u) * u2;
     let high = (a[8] + a[9] * u) + (a[10] + a[11] * u) * u2;
-    let top = (a[12] + a[13] * u) + a[14] * u2;
-    (low + middle * u4) + (high + top * u4) * u8
+    low + (middle + high * u4) * u4
 }

@@ -4,7 +4,7 @@ pub(crate) mod bernstein;
 pub(crate) mod dual;
 pub(crate) mod isolate;
 pub(crate) mod kepler;
-mod kepler_starter;
+mod kepler_chart;
 pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod series;
