@@ -2,10 +2,10 @@
 
 use super::atlas::{Atlas, Condition};
 use super::{Equilibrium, Load, Ply, Twist};
-use crate::DomainError;
-use crate::geometry::Contact;
+use crate::geometry::{Contact, HelicalAngle};
 use crate::numerics::dual::Dual;
 use crate::numerics::isolate::Pair;
+use crate::{DomainError, Handedness};
 
 /// p = 0 and balance, the moment eliminated, (48): n sin²θ cos θ − εγ(r u₃) nρ sin θ + fρ² = 0, times cos²θ, for the
 /// weights (1, γ, εγφ̄a, f) when the pretwist is given and (1, 0, εγ r u₃, f) when the strand twist is.
@@ -81,6 +81,40 @@ impl Ply {
         )
     }
 
+    /// The state of a given angle on the verge of separation: its force and moment are found. Over all angles these loads are the
+    /// locus p = 0 of Figures 9 and 10.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the twist is finite, or under an external pressure, which adds to p.
+    ///
+    /// ```
+    /// use nply::Handedness::Right;
+    /// use nply::geometry::HelicalAngle;
+    /// use nply::mechanics::{Ply, Twist};
+    /// // the square of Figure 9: straight strands part under no force, m = nγφ̄a
+    /// let state = Ply::new(2, 0.75)?.separation_at(HelicalAngle::new(0.0)?, Right, Twist::Pretwist(-0.2))?;
+    /// assert!(state.load().force == 0.0 && (state.load().moment + 0.3).abs() < 1e-15);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn separation_at(
+        &self,
+        angle: HelicalAngle,
+        handedness: Handedness,
+        twist: Twist,
+    ) -> Result<Equilibrium, DomainError> {
+        self.check(twist, Load::NONE)?;
+        self.check_unpressed()?;
+        let mut state = self.state(Contact::at(self.strands(), angle), false, handedness, twist, Load::NONE);
+        state.load = Load { force: state.separation_force(), moment: state.separation_moment() };
+        Ok(state)
+    }
+
+    /// Separation is of strands that nothing presses from outside.
+    pub(super) fn check_unpressed(&self) -> Result<(), DomainError> {
+        let allowed = "0 where separation or supports are asked for: it adds to the pressure between strands";
+        DomainError::check(self.external_pressure() == 0.0, "external_pressure", self.external_pressure(), allowed)
+    }
+
     fn separations(
         &self,
         twist: Twist,
@@ -90,12 +124,7 @@ impl Ply {
         load: impl Fn(&Equilibrium) -> Load,
     ) -> Result<Vec<Equilibrium>, DomainError> {
         self.check(twist, given)?;
-        DomainError::check(
-            self.external_pressure() == 0.0,
-            "external_pressure",
-            self.external_pressure(),
-            "0 where separation is sought: it is the pressure between strands that vanishes there",
-        )?;
+        self.check_unpressed()?;
         let (love, held) = twist.weights(self.stiffness_ratio());
         let mut states = Vec::new();
         Atlas::new(self.strands(), condition).solve(weights(love, held), |handedness, at| {

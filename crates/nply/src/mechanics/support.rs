@@ -166,31 +166,19 @@ impl Ply {
         if contact.angle().sin() == 0.0 {
             return Ok(None);
         }
-        Ok(Some(Handedness::BOTH.map(|handedness| {
-            let (s, c, eps) = (contact.angle().sin(), contact.angle().cos(), handedness.sign());
-            let q = contact.shift_ratio_squared();
-            // at the tip p̂ = 0 and ∂E/∂θ = 0: the loads of a state on the verge of separation
-            let verge = self.verge(&contact, handedness, twist);
+        let (s, c, q) = (contact.angle().sin(), contact.angle().cos(), contact.shift_ratio_squared());
+        // at the tip p̂ and ∂E/∂θ vanish together: the state is on the verge of separation
+        let [right, left] = Handedness::BOTH.map(|hand| self.separation_at(contact.angle(), hand, twist));
+        Ok(Some([right?, left?].map(|verge| {
+            let eps = verge.handedness().sign();
             Wedge {
                 angle: contact.angle(),
-                handedness,
-                tip: verge,
+                handedness: verge.handedness(),
+                tip: verge.load(),
                 neighbours_just_touch: Load { force: c, moment: eps * rho * s },
                 core_just_touches: Load { force: c * (1.0 - q), moment: eps * rho * s },
             }
         })))
-    }
-
-    /// The loads at which p̂ and ∂E/∂θ vanish together.
-    fn verge(&self, contact: &Contact, handedness: Handedness, twist: Twist) -> Load {
-        let n = f64::from(self.strands());
-        let (s, c, rho) = (contact.angle().sin(), contact.angle().cos(), contact.radius_ratio());
-        let (eps, gamma) = (handedness.sign(), self.stiffness_ratio());
-        let u3 = strand_twist(twist, handedness, s * c / rho);
-        Load {
-            force: n * s * (eps * gamma * u3 - s * c / rho) / rho,
-            moment: n * (eps * s * s * s / rho + gamma * u3 * c),
-        }
     }
 
     fn slopes(&self, angle: HelicalAngle, rho: f64, handedness: Handedness, twist: Twist, load: Load) -> Slopes {
@@ -334,11 +322,6 @@ impl Ply {
                 });
             }
         }
-    }
-
-    fn check_unpressed(&self) -> Result<(), DomainError> {
-        let pressure = self.external_pressure();
-        DomainError::check(pressure == 0.0, "external_pressure", pressure, "0 where supports are told apart")
     }
 }
 
