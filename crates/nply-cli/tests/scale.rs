@@ -80,7 +80,7 @@ fn natural(units: &Value, state: &Value, r: f64, b: f64) {
     for (key, value) in si {
         let size = match units[key].as_str().unwrap() {
             "m" => r,
-            "rad/m" | "1/m" => 1.0 / r,
+            "turns/m" | "1/m" => 1.0 / r,
             "N" => b / (r * r),
             "N m" => b / r,
             "N/m" => b / (r * r * r),

@@ -57,7 +57,11 @@ impl Case {
         let ply = self.ply(self.balance)?;
         let on = |lay: Lay, hand: Option<Handedness>, state: &dyn Fn(HelicalAngle, Handedness) -> Found| {
             let angle = lay.contact(self.strands)?.angle();
-            let hands = hand.map_or(Handedness::BOTH.to_vec(), |hand| vec![hand]);
+            let hands = match hand {
+                Some(hand) => vec![hand],
+                None if angle.sin() == 0.0 => vec![Handedness::Right], // straight strands are one state
+                None => Handedness::BOTH.to_vec(),
+            };
             hands.into_iter().map(|hand| state(angle, hand)).collect::<Result<Vec<_>, _>>()
         };
         let mut straight = None;

@@ -93,7 +93,7 @@ pub const COLUMNS: &[Column] = {
         column(Shape, "lay_length", "lay length", Length, |s| Some(s.contact().lay_length())),
         column(Shape, "lay_ratio", "lay ratio (lay length/outer diameter)", Number, |s| Some(s.contact().lay_ratio())),
         column(Shape, "turns_per_ply_length", "turns per ply length", TurnsPerLength, |s| {
-            Some(TAU / s.contact().lay_length())
+            Some(1.0 / s.contact().lay_length())
         }),
         column(Shape, "turns_per_strand_length", "turns per strand length", TurnsPerLength, |s| {
             Some(s.rotation().abs())
@@ -113,10 +113,12 @@ pub const COLUMNS: &[Column] = {
         column(Shape, "curvature", "curvature of a strand", PerLength, |s| Some(s.contact().curvature())),
         column(Shape, "torsion", "", PerLength, |s| Some(s.handedness().sign() * s.contact().torsion())),
         column(Twist, "pretwist", "pretwist (tan of the surface angle)", Number, |s| Some(s.pretwist())),
-        column(Twist, "pretwist_per_length", "pretwist per strand length", TurnsPerLength, |s| Some(s.pretwist())),
+        column(Twist, "pretwist_per_length", "pretwist per strand length", TurnsPerLength, |s| {
+            Some(s.pretwist() / TAU)
+        }),
         column(Twist, "strand_twist", "strand twist r u₃", Number, |s| Some(s.strand_twist())),
         column(Twist, "strand_twist_per_length", "strand twist per strand length", TurnsPerLength, |s| {
-            Some(s.strand_twist())
+            Some(s.strand_twist() / TAU)
         }),
         column(Loads, "force", "end force (tension +)", Force, |s| Some(s.load().force)),
         column(Loads, "moment", "end moment (right-handed +)", Moment, |s| Some(s.load().moment)),
@@ -172,7 +174,8 @@ impl Column {
     /// The value, if there is one and it can be written as a number.
     #[must_use]
     pub fn of(&self, state: &Equilibrium) -> Option<f64> {
-        (self.value)(state).filter(|value| value.is_finite())
+        // adding 0 takes the sign from a negative zero
+        (self.value)(state).filter(|value| value.is_finite()).map(|value| value + 0.0)
     }
 }
 

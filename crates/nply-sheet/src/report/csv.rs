@@ -9,7 +9,7 @@ impl Report {
     pub fn csv(&self) -> String {
         let si: Vec<_> = COLUMNS.iter().filter_map(|c| Some((c, c.measure.si(self.known())?))).collect();
         let mut head: Vec<String> =
-            ["strands", "stiffness_ratio", "balance", "state", "handedness", "separated", "fold"]
+            ["strands", "stiffness_ratio", "balance", "state", "handedness", "lay", "separated", "stability", "fold"]
                 .map(String::from)
                 .into();
         head.extend(COLUMNS.iter().map(|column| column.name.to_owned()));
@@ -22,7 +22,9 @@ impl Report {
                 self.case.balance.name().to_owned(),
                 (i + 1).to_string(),
                 state.handedness().sign().to_string(),
+                state.handedness().lay_letter().to_string(),
                 (state.is_separated() && !super::at_separation(&self.case)).to_string(),
+                state.stability().map_or("", |_| super::text::verdict(state)).to_owned(),
                 state.is_fold().to_string(),
             ];
             let text = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:?}"));

@@ -18,7 +18,7 @@ pub enum Measure {
     Degrees,
     /// A length, in r.
     Length,
-    /// Radians per length, in 1/r; turns per length where a person reads it.
+    /// Turns per length, in turns/r.
     TurnsPerLength,
     /// Curvature, in 1/r.
     PerLength,
@@ -62,7 +62,7 @@ impl Measure {
         Some(match self {
             Self::Number | Self::Percent | Self::Degrees => return None,
             Self::Length => (known.strand_radius?, "m"),
-            Self::TurnsPerLength => (1.0 / known.strand_radius?, "rad/m"),
+            Self::TurnsPerLength => (1.0 / known.strand_radius?, "turns/m"),
             Self::PerLength => (1.0 / known.strand_radius?, "1/m"),
             Self::Force => (scale?.force(1.0), "N"),
             Self::Moment => (scale?.moment(1.0), "N m"),
@@ -95,6 +95,8 @@ impl Measure {
             let unit = units.unit(dimension, 1.0 / si);
             return Reading { factor: (si * unit.to_si(1.0)).to_degrees(), unit: per("deg", &unit.to_string()) };
         }
+        // a person's units of turns are angles, in rad
+        let si = if self == Self::TurnsPerLength { TAU * si } else { si };
         if self == Self::PerLength {
             let unit = units.unit(Dimension::LENGTH, 1.0 / si);
             return Reading { factor: si * unit.to_si(1.0), unit: per("1", &unit.to_string()) };
@@ -110,7 +112,7 @@ impl Measure {
             Self::Percent => (1.0, "%"),
             Self::Degrees => (1.0, "deg"),
             Self::Length => (1.0, "r"),
-            Self::TurnsPerLength => (1.0 / TAU, "turns/r"),
+            Self::TurnsPerLength => (1.0, "turns/r"),
             Self::PerLength => (1.0, "1/r"),
             Self::Force => (1.0, "B/r²"),
             Self::Moment => (1.0, "B/r"),
@@ -143,8 +145,8 @@ mod tests {
         let angle = Measure::AnglePerForce.reading(known, &units, 1.0);
         assert!((angle.factor - 1_f64.to_degrees() / 2.0).abs() < 1e-12, "{angle:?}");
         assert_eq!(angle.unit, "deg/N");
-        let turns = Measure::TurnsPerLength.reading(known, &units, TAU);
-        assert!((turns.factor * TAU - 1.0).abs() < 1e-12 && turns.unit == "turns/mm", "{turns:?}");
+        let turns = Measure::TurnsPerLength.reading(known, &units, 1.0);
+        assert!((turns.factor - 1.0).abs() < 1e-12 && turns.unit == "turns/mm", "{turns:?}");
         assert_eq!(Measure::Moment.reading(Known::default(), &units, 1.0).unit, "B/r");
     }
 }

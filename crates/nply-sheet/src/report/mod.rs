@@ -9,7 +9,7 @@ mod shape;
 mod text;
 
 use nply::Handedness;
-use nply::mechanics::Equilibrium;
+use nply::mechanics::{Balance, Equilibrium};
 
 pub use column::{COLUMNS, Column, Section};
 pub use lays::LaysReport;
@@ -76,8 +76,8 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     }
     if solution.straight == Some(true) {
         notes.push(
-            "Straight strands side by side are in equilibrium too: the end moment is the one that holds the pretwisted \
-             strands, nγφ̄a."
+            "Straight strands side by side (helical angle 0) are in equilibrium too: the end moment is n times what holds the \
+             twist of one strand."
                 .to_owned(),
         );
     }
@@ -99,8 +99,15 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     }
     if solution.states.iter().any(|state| state.stability().is_some()) {
         notes.push(
-            "Stable means among uniform plies under dead end loads; buckling as a whole, local loops and the collapse of a hole \
-             are not covered."
+            "Stable means among uniform plies under dead end loads with the given twist held; buckling as a whole, local loops \
+             and the collapse of a hole are not covered."
+                .to_owned(),
+        );
+    }
+    if case.balance == Balance::Radial && !solution.states.is_empty() {
+        notes.push(
+            "In radial balance p₁ is what neighbours would press if they alone carried p; where a core carries the strands, p \
+             is the load on the core. Responses follow touching strands, whose radius changes with the angle."
                 .to_owned(),
         );
     }
@@ -134,15 +141,15 @@ fn difference(case: &Case, own: &[Equilibrium], others: &[Equilibrium]) -> Optio
             states.iter().filter(|s| s.handedness() == hand).map(degrees).collect()
         };
         let (own, others) = (of(own), of(others));
+        let side = if hand == Handedness::Right { "right" } else { "left" };
         if own.len() == others.len() {
             let pairs = own.iter().zip(&others).filter(|(a, b)| (*a - *b).abs() > NOTEWORTHY);
-            differing.extend(pairs.map(|(a, b)| format!("{a:.3}° ({name}), {b:.3}° ({other_name})")));
+            differing.extend(pairs.map(|(a, b)| format!("{side}-handed {a:.3}° ({name}), {b:.3}° ({other_name})")));
         } else {
             let list = |angles: &[f64]| match angles {
                 [] => "none".to_owned(),
                 _ => angles.iter().map(|a| format!("{a:.3}°")).collect::<Vec<_>>().join(" and "),
             };
-            let side = if hand == Handedness::Right { "right" } else { "left" };
             differing.push(format!("{side}-handed {} ({name}), {} ({other_name})", list(&own), list(&others)));
         }
     }

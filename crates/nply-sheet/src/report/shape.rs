@@ -71,12 +71,7 @@ impl ShapeReport {
                 ("pitch_angle_deg", "pitch angle", Degrees, contact.pitch_angle().to_degrees()),
                 ("lay_length", "lay length", Length, contact.lay_length()),
                 ("lay_ratio", "lay ratio (lay length/outer diameter)", Number, contact.lay_ratio()),
-                (
-                    "turns_per_ply_length",
-                    "turns per ply length",
-                    TurnsPerLength,
-                    core::f64::consts::TAU / contact.lay_length(),
-                ),
+                ("turns_per_ply_length", "turns per ply length", TurnsPerLength, 1.0 / contact.lay_length()),
                 ("radius_ratio", "helix radius/strand radius", Number, contact.radius_ratio()),
                 ("radius_ratio_slope", "its slope by helical angle, per rad", Number, contact.radius_ratio_slope()),
                 ("outer_diameter", "outer diameter", Length, 2.0 * contact.outer_radius()),

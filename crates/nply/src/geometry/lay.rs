@@ -49,8 +49,8 @@ impl Contact {
     /// From the lay length in units of r: ply length per turn of a strand.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands`, and on `lay_length` unless it is greater than 2n, that of n flat rings on top of each
-    /// other, and at most 1e140.
+    /// [`DomainError`] on `strands`, and on `lay_length` unless it is greater than 2n (by 64 units in the last place), that of n flat
+    /// rings on top of each other, and at most 1e140.
     ///
     /// ```
     /// use nply::geometry::Contact;
@@ -61,10 +61,11 @@ impl Contact {
     pub fn from_lay_length(strands: u32, lay_length: f64) -> Result<Self, DomainError> {
         check_strands(strands)?;
         DomainError::check(
-            lay_length > 2.0 * f64::from(strands) && lay_length < f64::INFINITY,
+            // nearer than some units in the last place the pitch angle, which grows as the root of the rest, is lost
+            lay_length > 2.0 * f64::from(strands) * (1.0 + 64.0 * f64::EPSILON) && lay_length < f64::INFINITY,
             "lay_length",
             lay_length,
-            "finite and greater than 2n strand radii, where the strands are flat rings on top of each other",
+            "finite and greater (by more than rounding) than 2n strand radii, where the strands are flat rings on top of each other",
         )?;
         Self::check_flattest(lay_length, "lay_length", lay_length)?;
         // 2π over the lay length: tan θ/ρ

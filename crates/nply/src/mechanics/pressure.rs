@@ -6,13 +6,23 @@ impl Equilibrium {
     #[doc = include_str!("../equations/eq37.md")]
     ///
     /// p̂ r³/B: the resultant pressure were the whole load between strands radial.
+    /// Exactly 0 where its terms cancel to rounding, as on the verge of separation.
     #[must_use]
     pub fn radial_pressure(&self) -> f64 {
+        self.pressure_beyond(0.0)
+    }
+
+    /// p̂ less a given pressure, 0 where no digit of the difference is left.
+    fn pressure_beyond(&self, given: f64) -> f64 {
         let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
         let n = f64::from(self.contact.strands());
         let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
         let m = self.load.moment;
-        s / (rho * rho) * (eps * (m / n - gamma * u3 * c) - s * s * s / rho)
+        let scale = s / (rho * rho);
+        let (moment, twist, bending) = (scale * (m / n), scale * (gamma * u3 * c), scale * (s * s * s / rho));
+        let pressure = eps * (moment - twist) - bending - given;
+        let size = moment.abs() + twist.abs() + bending + given.abs();
+        if pressure.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { pressure }
     }
 
     #[doc = include_str!("../equations/eq30.md")]
@@ -47,7 +57,7 @@ impl Equilibrium {
         let rho = self.contact.radius_ratio();
         match self.balance {
             Balance::Radial => self.radial_pressure() / (rho * self.contact.one_minus_cos_beta()),
-            Balance::Contact => 0.5 * rho * (self.radial_pressure() - self.external_pressure),
+            Balance::Contact => 0.5 * rho * self.pressure_beyond(self.external_pressure),
         }
     }
 

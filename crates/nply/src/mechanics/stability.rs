@@ -16,7 +16,7 @@ pub enum Stability {
 impl Equilibrium {
     /// d²E/dθ² along touching strands, per strand and strand length, in B/r²: the second variation of the energy under dead
     /// force and moment with the twist held as given. `None` in radial balance, which is not the slope of this energy, and
-    /// where neighbours would have to pull, so that they do not stay together.
+    /// where neighbours do not press on each other, so that they need not stay together.
     ///
     /// nρ² dE/dθ is the contact balance, so that it is the balance's slope over nρ².
     ///
@@ -30,7 +30,8 @@ impl Equilibrium {
     pub fn second_variation(&self) -> Option<f64> {
         let rho = self.contact.radius_ratio();
         let n = f64::from(self.contact.strands());
-        (self.balance == Balance::Contact && !self.is_separated()).then(|| self.balance_slope() / (n * rho * rho))
+        (self.balance == Balance::Contact && self.interstrand_pressure() > 0.0)
+            .then(|| self.balance_slope() / (n * rho * rho))
     }
 
     /// The verdict of the [second variation](Self::second_variation); `None` where that is. It covers uniform plies alone: a

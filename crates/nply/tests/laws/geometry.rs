@@ -160,7 +160,7 @@ proptest! {
         let found = Contact::from_lay_ratio(n, contact.lay_ratio()).unwrap();
         prop_assert!((found.lay_ratio() / contact.lay_ratio() - 1.0).abs() < 1e-14);
         prop_assert!(((found.angle().sin() / angle.sin() - 1.0).abs() + (found.angle().cos() / angle.cos() - 1.0).abs()) < 1e-13);
-        if contact.lay_length() > 2.0 * f64::from(n) {
+        if contact.lay_length() > 2.0 * f64::from(n) * (1.0 + 1e-13) { // nearer to 2n the pitch is lost in rounding
             let found = Contact::from_lay_length(n, contact.lay_length()).unwrap();
             prop_assert!((found.lay_length() / contact.lay_length() - 1.0).abs() < 1e-14);
         }
