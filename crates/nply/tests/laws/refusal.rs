@@ -140,3 +140,16 @@ fn the_flattest_rings_are_numbers() {
         }
     }
 }
+
+/// Without loads strands of γ = 1 part at p = 0 for every angle at once when their pretwist is nothing or next to it: no angle stands
+/// out, and none may be made up by rounding.
+#[test]
+fn where_everything_parts_no_state_stands_out() {
+    for pretwist in [0.0, 1.357e-312, 1e-30] {
+        for n in [2, 3, 7] {
+            let ply = Ply::new(n, 1.0).unwrap();
+            let states = ply.separation_at_force(Twist::Pretwist(pretwist), 0.0).unwrap();
+            assert!(states.len() <= 1, "{n} {pretwist}: {} states", states.len());
+        }
+    }
+}

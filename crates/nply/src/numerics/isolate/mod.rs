@@ -182,8 +182,7 @@ impl<const K: usize> Panel<K> {
         depth: u32,
     ) {
         let (from, to) = (b[0] >= 0.0, b[ORDER - 1] >= 0.0);
-        let rounding = self.rounding(here);
-        if b.iter().all(|value| value.abs() <= rounding) {
+        if self.is_lost(here, b) {
             // zero all over to within rounding: on a whole panel no root stands out; on a part of one, two roots may meet
             let part = depth < DEEPEST;
             if part && self.start > 0.0 {
@@ -257,6 +256,13 @@ impl<const K: usize> Panel<K> {
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
+        let to = b[ORDER - 1] >= 0.0;
+        if self.is_lost(here, b) {
+            if depth < DEEPEST && from != to {
+                found(here.refine(self.start, self.end, from, 0.5 * self.end));
+            }
+            return;
+        }
         // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1), of which the first keeps no digits but has a sure sign
         let mut quotient: [f64; ORDER - 1] = core::array::from_fn(|i| b[i + 1] * ((ORDER - 1) as f64 / (i + 1) as f64));
         quotient[0] = if from { 1.0 } else { -1.0 };
@@ -264,15 +270,16 @@ impl<const K: usize> Panel<K> {
             0 => {}
             1 => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
             _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
-            _ if from == (b[ORDER - 1] >= 0.0) => {}
+            _ if from == to => {}
             _ => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
         }
     }
 
-    /// What rounding may leave of a combination that vanishes on the whole panel.
-    fn rounding<B: Basis<K>>(&self, here: &Combination<'_, B, K>) -> f64 {
+    /// Whether the combination is zero all over the panel to within rounding.
+    fn is_lost<B: Basis<K>>(&self, here: &Combination<'_, B, K>, b: &Bernstein) -> bool {
         let greatest = self.functions.map(|f| f.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
-        8.0 * f64::EPSILON * here.sum_and_size(&greatest).1
+        let rounding = 8.0 * f64::EPSILON * here.sum_and_size(&greatest).1;
+        b.iter().all(|value| value.abs() <= rounding)
     }
 
     /// What rounding may leave of a combination that vanishes at the start.
