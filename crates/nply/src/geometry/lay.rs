@@ -123,7 +123,7 @@ pub(super) fn where_rising(strands: u32, value: f64, quantity: impl Fn(&Regular)
             let inverse = on(HelicalAngle::flat(t)).recip();
             Dual::new(inverse.value - 1.0 / value, -inverse.slope)
         };
-        HelicalAngle::flat(bracketed(f, 0.0, FRAC_PI_4, false, 0.5).0)
+        HelicalAngle::flat(bracketed(f, HelicalAngle::FLATTEST, FRAC_PI_4, false, 0.5).0)
     } else {
         let f = |t| {
             let here = on(HelicalAngle::steep(t));
