@@ -113,10 +113,9 @@ impl Equilibrium {
         let pressure = if self.external_pressure == 0.0 {
             Dual::new(0.0, 0.0)
         } else {
-            let at = self.contact.regular();
-            let n_pressure = f64::from(self.contact.strands()) * self.external_pressure;
-            let secant = at.cos.recip();
-            -(n_pressure * (at.radius * at.radius * at.radius * at.sin * at.share * secant * secant))
+            // the pressurised condition carries cos⁴θ
+            let secant = self.contact.regular().cos.recip();
+            self.external_pressure * (Pressurised.terms(&self.contact)[5] * secant * secant)
         };
         core::array::from_fn(|k| match terms.get(k) {
             Some(term) => (even[k] + self.handedness.sign() * odd[k]) * *term,
