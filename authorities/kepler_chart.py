@@ -86,6 +86,7 @@ for name, doc, f, a, b in [
 ]:
     [row], error = fit(f, a, b, STARTER_DEGREE, 48)
     print(f"/// {doc} Relative error below {mp.nstr(error, 2)}.")
+    print("#[rustfmt::skip]")
     print(f"pub(super) const {name}: [f64; {STARTER_DEGREE + 1}] =")
     print("    [" + ", ".join(repr(float(c)) for c in row) + "];\n")
 charts = {n: charted(n) for n in range(3, 13)}
@@ -94,6 +95,7 @@ print("/// Most strands with a chart of their own.\npub(super) const LAST: usize
 print("/// Pieces of a chart, equal in pitch angle.\npub(super) const PIECES: usize = %d;\n" % PIECES)
 print("/// n = 3 … 12, piece by piece: sin(E/2)/t² and cos(E/2), t = π/2 − θ from one end of the piece to the other as u from −1 to 1.")
 print(f"/// Relative errors below {worst}.")
+print("#[rustfmt::skip] // a table: one polynomial a line")
 print(f"pub(super) static CHARTS: [[[[f64; {DEGREE + 1}]; 2]; PIECES]; 10] = [")
 for chart in charts.values():
     print("    [")
