@@ -153,7 +153,7 @@ impl Equilibrium {
 }
 
 /// The weights of a balance's five terms, (1, γ, εγφ̄a, f, εm) or (1, 0, εγ r u₃, f, εm), as even and odd in ε.
-fn weights(gamma: f64, twist: Twist, load: Load) -> Pair<5> {
+pub(super) fn weights(gamma: f64, twist: Twist, load: Load) -> Pair<5> {
     let (love, held) = twist.weights(gamma);
     Pair { even: [1.0, love, 0.0, load.force, 0.0], odd: [0.0, 0.0, held, 0.0, load.moment] }
 }

@@ -1,6 +1,7 @@
 //! What carries the strands: neighbours, a core, both, or nothing. Contacts push and never pull.
 
 use super::atlas::{Atlas, Condition};
+use super::equilibrium::weights;
 use super::{Balance, Load, Ply, Twist};
 use crate::geometry::{Contact, HelicalAngle};
 use crate::numerics::dual::Dual;
@@ -224,8 +225,7 @@ impl Ply {
 
     /// Strands on the core, apart from each other.
     fn on_core(&self, twist: Twist, load: Load, rho: f64, states: &mut Vec<SupportedState>) {
-        let (love, held) = twist.weights(self.stiffness_ratio());
-        let weights = Pair { even: [1.0, love, 0.0, load.force, 0.0], odd: [0.0, 0.0, held, 0.0, load.moment] };
+        let weights = weights(self.stiffness_ratio(), twist, load);
         Atlas::new(self.strands(), AtRadius(rho)).solve(weights, |handedness, at| {
             let touching = Contact::at(self.strands(), at.angle).radius_ratio();
             let pressure = self.slopes(at.angle, rho, handedness, twist, load).radius;
