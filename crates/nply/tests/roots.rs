@@ -356,3 +356,25 @@ fn near_folds() {
         assert!(near > 30, "{near} folds");
     });
 }
+
+/// Under the moment that holds the straight ply and near the thrust at which it buckles, the state has left θ = 0 by the square root of
+/// what is left: nearer to 0 only rounding has a sign.
+#[test]
+fn near_the_buckling_of_straight_strands_the_state_is_found() {
+    let (gamma, pretwist) = (0.663_675_149_415_629_6, -2.983_416_924_467_827_7);
+    let load = Load { force: -0.718_491_745_343_212_8, moment: 9.0 * gamma * pretwist };
+    let ply = Ply::with_balance(9, gamma, Balance::Radial).unwrap();
+    assert!(ply.straight_holds(Twist::Pretwist(pretwist), load));
+    let states = ply.equilibria(Twist::Pretwist(pretwist), load).unwrap();
+    let near = states.iter().find(|s| s.contact().helical_angle() < 0.1).expect("one that has just buckled");
+    // between these angles the printed balance changes its sign
+    let eps = near.handedness().sign();
+    let weights = [1.0, gamma, eps * gamma * pretwist, load.force, eps * load.moment];
+    let balance = |theta: f64| -> f64 {
+        let terms = terms(9, Balance::Radial, HelicalAngle::new(theta).unwrap());
+        terms.iter().zip(weights).map(|(term, weight)| term * weight).sum()
+    };
+    let theta = near.contact().helical_angle();
+    assert!((theta - 0.002_163).abs() < 1e-5, "{theta}");
+    assert!(balance(0.99 * theta) * balance(1.01 * theta) < 0.0);
+}

@@ -71,6 +71,11 @@ impl HelicalAngle {
         if cos > core::f64::consts::FRAC_1_SQRT_2 { Self::steep(libm::acos(cos)) } else { Self::flat(libm::asin(cos)) }
     }
 
+    /// From sin θ in [0, 1), by whichever of the two angles is the smaller.
+    pub(crate) fn of_sine(sin: f64) -> Self {
+        if sin < core::f64::consts::FRAC_1_SQRT_2 { Self::steep(libm::asin(sin)) } else { Self::flat(libm::acos(sin)) }
+    }
+
     /// θ already known to lie in [0, π/2): the strands stand steeply.
     #[inline(always)]
     pub(crate) fn steep(helical: f64) -> Self {

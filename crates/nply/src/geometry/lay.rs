@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_4, PI};
 
 use super::contact::{Regular, check_strands};
-use super::{Contact, HelicalAngle};
+use super::{Contact, HelicalAngle, SpecialLays};
 use crate::DomainError;
 use crate::numerics::dual::Dual;
 use crate::numerics::root::bracketed;
@@ -110,6 +110,40 @@ impl Contact {
         Self::check_flattest(lay_ratio, "lay_ratio", lay_ratio)?;
         // π over the lay ratio: tan θ (1 + ρ)/ρ
         Ok(where_rising(strands, PI / lay_ratio, |at| at.sin * (at.cos.recip() + at.radius.recip())))
+    }
+}
+
+impl Contact {
+    /// The two contacts with a given rotation of the ply's end, sin θ/ρ: rad per strand length, times r. One lies at or below the
+    /// angle of the most turns (q = 1), the other at or above it.
+    ///
+    /// # Errors
+    /// [`DomainError`] on `strands`, and on `rotation` unless it is between 1e-140 and the most turns that the strands can take.
+    ///
+    /// ```
+    /// use nply::geometry::Contact;
+    /// let [low, high] = Contact::from_rotation(3, 0.4)?;
+    /// assert!(low.angle().degrees() < 47.2 && high.angle().degrees() > 47.2); // most turns: 47.2°
+    /// assert!((low.angle().sin() / low.radius_ratio() - 0.4).abs() < 1e-15);
+    /// assert!(Contact::from_rotation(3, 0.6).is_err());
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn from_rotation(strands: u32, rotation: f64) -> Result<[Self; 2], DomainError> {
+        let most = SpecialLays::of(strands)?.zero_twist();
+        let limit = most.angle().sin() / most.radius_ratio();
+        let allowed = "greater than 0 (at least 1e-140) and not more than the most turns that the strands can take";
+        DomainError::check((1e-140..=limit).contains(&rotation), "rotation", rotation, allowed)?;
+        let on = |angle| {
+            let here = Self::at(strands, angle).curved().rotation();
+            Dual::new(here.value - rotation, here.slope)
+        };
+        let below = bracketed(|t| on(HelicalAngle::steep(t)), 0.0, most.helical_angle(), false, rotation).0;
+        let f = |t| {
+            let here = on(HelicalAngle::flat(t));
+            Dual::new(here.value, -here.slope)
+        };
+        let above = bracketed(f, HelicalAngle::FLATTEST, most.pitch_angle(), false, 0.5).0;
+        Ok([Self::at(strands, HelicalAngle::steep(below)), Self::at(strands, HelicalAngle::flat(above))])
     }
 }
 

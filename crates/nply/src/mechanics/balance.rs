@@ -1,8 +1,11 @@
 //! The two balances, by name; they are never mixed.
 
+use core::ops::{Add, Mul, Neg, Sub};
+
 use super::atlas::Condition;
 use crate::geometry::Contact;
 use crate::numerics::dual::Dual;
+use crate::numerics::jet::Jet;
 
 /// Which equation of equilibrium is used where strands touch at different heights (arclength shift x ≠ 0).
 ///
@@ -56,21 +59,37 @@ impl Balance {
     }
 }
 
-/// cos²θ times the balance, term by term, for the weights (1, γ, εγφ̄a, f, εm) when the pretwist is given and
-/// (1, 0, εγ r u₃, f, εm) when the strand twist is.
-///
-/// Radial, (40) with (45):  G = 2n sin³θ cos θ + γ n sin θ cos θ cos 2θ + εγφ̄a nρ cos 2θ + f ρ² sin θ − εm ρ cos θ.
-/// Contact adds nρ² p̂ ρ′(θ), which brings in q:  2 → 2 − q, cos 2θ → cos 2θ − q cos²θ, 1 → 1 − q in the moment's term.
 impl Condition<5> for Balance {
     #[inline]
     fn terms(&self, contact: &Contact) -> [Dual; 5] {
         let at = contact.regular();
-        let n = f64::from(contact.strands());
-        let (s, c, radius) = (at.sin, at.cos, at.radius);
+        self.terms_of(contact.strands(), [at.sin, at.cos, at.radius, at.share])
+    }
+}
+
+impl Balance {
+    /// As [`Condition::terms`], with second derivatives.
+    pub(super) fn curved_terms(self, contact: &Contact) -> [Jet; 5] {
+        let at = contact.curved();
+        self.terms_of(contact.strands(), [at.sin, at.cos, at.radius, at.share])
+    }
+
+    /// cos²θ times the balance, term by term, for the weights (1, γ, εγφ̄a, f, εm) when the pretwist is given and
+    /// (1, 0, εγ r u₃, f, εm) when the strand twist is.
+    ///
+    /// Radial, (40) with (45):  G = 2n sin³θ cos θ + γ n sin θ cos θ cos 2θ + εγφ̄a nρ cos 2θ + f ρ² sin θ − εm ρ cos θ.
+    /// Contact adds nρ² p̂ ρ′(θ), which brings in q:  2 → 2 − q, cos 2θ → cos 2θ − q cos²θ, 1 → 1 − q in the moment's term.
+    #[inline]
+    fn terms_of<T>(self, strands: u32, [s, c, radius, share]: [T; 4]) -> [T; 5]
+    where
+        T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Neg<Output = T>,
+        f64: Mul<T, Output = T>,
+    {
+        let n = f64::from(strands);
         let (ss, cc) = (s * s, c * c);
         let q_cc = match self {
-            Self::Contact => ss * at.share,
-            Self::Radial => Dual::new(0.0, 0.0),
+            Self::Contact => ss * share,
+            Self::Radial => 0.0 * ss,
         };
         let cos2 = cc - ss - q_cc;
         let sc = s * c;

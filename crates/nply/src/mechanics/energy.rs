@@ -1,6 +1,6 @@
 //! Energy, (52)–(56).
 
-use super::Equilibrium;
+use super::{Equilibrium, Load};
 
 /// Energy per strand length of one strand, in units of B/r².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,17 @@ pub struct Energy {
 }
 
 impl Energy {
+    /// Of a strand with r κ and r u₃ that carries its share of the loads through the displacements a·d_f and a·d_m.
+    pub(super) fn of_strand(curvature: f64, gamma: f64, u3: f64, share: Load, displacements: (f64, f64)) -> Self {
+        let (extension, rotation) = displacements;
+        Self {
+            bending: 0.5 * curvature * curvature,
+            torsion: 0.5 * gamma * u3 * u3,
+            pressure: 0.0,
+            load: -share.force * extension - share.moment * rotation,
+        }
+    }
+
     /// The sum, (56) with λ = 0.
     #[must_use]
     pub fn total(&self) -> f64 {
@@ -35,16 +46,11 @@ impl Equilibrium {
     /// ```
     #[must_use]
     pub fn energy(&self) -> Energy {
-        let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
         let n = f64::from(self.contact.strands());
-        let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
-        let (f, m) = (self.load.force, self.load.moment);
-        let kappa = self.contact.curvature();
-        Energy {
-            bending: 0.5 * kappa * kappa,
-            torsion: 0.5 * gamma * u3 * u3,
-            pressure: -self.external_pressure * rho,
-            load: -f / n * c - eps * m / (n * rho) * s,
-        }
+        let share = Load { force: self.load.force / n, moment: self.load.moment / n };
+        let displacements = (self.extension(), self.rotation());
+        let (kappa, gamma, u3) = (self.contact.curvature(), self.stiffness_ratio, self.strand_twist());
+        let pressure = -self.external_pressure * self.contact.radius_ratio();
+        Energy { pressure, ..Energy::of_strand(kappa, gamma, u3, share, displacements) }
     }
 }

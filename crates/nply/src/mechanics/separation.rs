@@ -36,6 +36,42 @@ impl Condition<4> for AtMoment {
     }
 }
 
+/// p = 0 and balance, the strands' twist eliminated: n sin²θ − εmρ sin θ + fρ² cos θ = 0, times cos θ, for the weights
+/// (1, f, εm), whatever γ.
+#[derive(Clone, Copy, Debug)]
+struct AtLoads;
+
+impl Condition<3> for AtLoads {
+    fn terms(&self, contact: &Contact) -> [Dual; 3] {
+        let at = contact.regular();
+        let n = f64::from(contact.strands());
+        let (s, c, radius) = (at.sin, at.cos, at.radius);
+        [n * (s * s * c), radius * radius, -(radius * s)]
+    }
+}
+
+/// The slopes dθ of the loads at separation, for the weights (1, love, εh): f = n(εh y + (love − 1) y²c) and
+/// εm = n(y(s² + love c²) + εh c) with y = sin θ/ρ and γ r u₃ = love·εyc + h.
+#[derive(Clone, Copy, Debug)]
+enum Extreme {
+    Force,
+    Moment,
+}
+
+impl Condition<3> for Extreme {
+    fn terms(&self, contact: &Contact) -> [Dual; 3] {
+        let at = contact.curved();
+        let (s, c, y) = (at.sin, at.cos, at.rotation());
+        match self {
+            Self::Force => {
+                let bending = (y * y * c).derivative();
+                [-bending, bending, y.derivative()]
+            }
+            Self::Moment => [(y * s * s).derivative(), (y * c * c).derivative(), c.derivative()],
+        }
+    }
+}
+
 impl Ply {
     /// Every state on the verge of separation (p = 0) under a given force; its moment is found.
     ///
@@ -81,6 +117,49 @@ impl Ply {
         )
     }
 
+    /// Every state on the verge of separation (p = 0) under given loads; its pretwist is found.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the loads are finite, or under an external pressure, which adds to p.
+    ///
+    /// ```
+    /// use nply::mechanics::{Load, Ply};
+    /// let states = Ply::new(3, 0.75)?.separation_at_loads(Load { force: -0.2, moment: 0.1 })?;
+    /// assert!(states.iter().all(|s| s.interstrand_pressure().abs() < 1e-15 && s.balance_residual().abs() < 1e-13));
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn separation_at_loads(&self, load: Load) -> Result<Vec<Equilibrium>, DomainError> {
+        let weights = |_, _| Pair { even: [1.0, load.force, 0.0], odd: [0.0, 0.0, load.moment] };
+        let mut states = self.separations(Twist::Pretwist(0.0), load, AtLoads, weights, |_| load)?;
+        for state in &mut states {
+            state.twist = Twist::Pretwist(state.separation_pretwist());
+        }
+        states.retain(|state| state.pretwist().is_finite());
+        Ok(states)
+    }
+
+    /// The states at which the force, and those at which the moment, on the verge of separation is greatest or least among
+    /// neighbouring angles: the turning points of the locus p = 0 of Figures 9 and 10. It has no cusps but for single values of the
+    /// pretwist, at which both turn together.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the twist is finite, or under an external pressure, which adds to p.
+    ///
+    /// ```
+    /// use nply::mechanics::{Ply, Twist};
+    /// let [by_force, by_moment] = Ply::new(3, 0.75)?.separation_extremes(Twist::Pretwist(-0.2))?;
+    /// assert!((by_force[0].contact().angle().degrees() - 43.99).abs() < 0.01);
+    /// assert!((by_moment[0].contact().angle().degrees() - 53.46).abs() < 0.01);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn separation_extremes(&self, twist: Twist) -> Result<[Vec<Equilibrium>; 2], DomainError> {
+        let loads = |state: &Equilibrium| Load { force: state.separation_force(), moment: state.separation_moment() };
+        let weights = |love, held| Pair { even: [1.0, love, 0.0], odd: [0.0, 0.0, held] };
+        let [by_force, by_moment] = [Extreme::Force, Extreme::Moment]
+            .map(|extreme| self.separations(twist, Load::NONE, extreme, weights, loads));
+        Ok([by_force?, by_moment?])
+    }
+
     /// The state of a given angle on the verge of separation: its force and moment are found. Over all angles these loads are the
     /// locus p = 0 of Figures 9 and 10.
     ///
@@ -115,12 +194,12 @@ impl Ply {
         DomainError::check(self.external_pressure() == 0.0, "external_pressure", self.external_pressure(), allowed)
     }
 
-    fn separations(
+    fn separations<const K: usize>(
         &self,
         twist: Twist,
         given: Load,
-        condition: impl Condition<4>,
-        weights: impl Fn(f64, f64) -> Pair<4>,
+        condition: impl Condition<K>,
+        weights: impl Fn(f64, f64) -> Pair<K>,
         load: impl Fn(&Equilibrium) -> Load,
     ) -> Result<Vec<Equilibrium>, DomainError> {
         self.check(twist, given)?;
@@ -145,6 +224,14 @@ impl Equilibrium {
         let n = f64::from(self.contact.strands());
         let (eps, gamma, u3) = (self.handedness.sign(), self.stiffness_ratio, self.strand_twist());
         n * (eps * s * s * s / rho + gamma * u3 * c)
+    }
+
+    /// The pretwist at which p vanishes at this angle, hand and moment, by (37).
+    fn separation_pretwist(&self) -> f64 {
+        let (s, c, rho) = (self.contact.angle().sin(), self.contact.angle().cos(), self.contact.radius_ratio());
+        let n = f64::from(self.contact.strands());
+        let eps = self.handedness.sign();
+        (self.load.moment / n - eps * s * s * s / rho) / (self.stiffness_ratio * c) - eps * self.contact.torsion()
     }
 
     /// The f that keeps this angle, hand and twist where p vanishes, by (48).

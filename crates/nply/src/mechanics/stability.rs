@@ -13,6 +13,29 @@ pub enum Stability {
     Marginal,
 }
 
+impl Stability {
+    /// By the sign of a second variation, of which rounding may make up so much.
+    pub(super) fn of(second: f64, rounding: f64) -> Self {
+        if second > rounding {
+            Self::Stable
+        } else if second < -rounding {
+            Self::Unstable
+        } else {
+            Self::Marginal
+        }
+    }
+
+    /// The name used in JSON, CSV and the report.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Marginal => "marginal",
+        }
+    }
+}
+
 impl Equilibrium {
     /// d²E/dθ² along touching strands, per strand and strand length, in B/r²: the second variation of the energy under dead
     /// force and moment with the twist held as given. `None` in radial balance, which is not the slope of this energy, and

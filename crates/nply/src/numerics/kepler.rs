@@ -30,6 +30,19 @@ impl HalfAnomaly {
     pub(crate) fn share_of_slope(&self) -> f64 {
         self.cos * self.cos / self.slope
     }
+
+    /// The slope dθ of [`share_of_slope`](Self::share_of_slope), from those of cos²(E/2) and of the slope of Kepler's equation.
+    pub(crate) fn share_slope(&self, cos_squared_slope: f64, slope_slope: f64) -> f64 {
+        // two strands at the pitchfork: numerator and denominator vanish together; the limit is −12/5
+        const NEAREST: f64 = 3e-6;
+        if self.cos == 0.0 {
+            0.0
+        } else if self.slope < NEAREST {
+            -2.4
+        } else {
+            (cos_squared_slope - self.share_of_slope() * slope_slope) / self.slope
+        }
+    }
 }
 
 /// The main branch for `strands` ≥ 2 at the angle with sine `s` > 0 or 0, cosine `c` > 0 and complement `pitch`.

@@ -1,10 +1,12 @@
-//! Tools that know no physics: Kepler's equation, polynomials in Bernstein form, roots, dual numbers.
+//! Tools that know no physics: Kepler's equation, polynomials in Bernstein form, roots, numbers with their derivatives.
 
 pub(crate) mod bernstein;
 pub(crate) mod dual;
 pub(crate) mod isolate;
+pub(crate) mod jet;
 pub(crate) mod kepler;
 mod kepler_chart;
+pub(crate) mod linear;
 pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod series;

@@ -18,8 +18,8 @@ pub(crate) fn sincos(t: f64) -> (f64, f64) {
 }
 
 /// For 0 ≤ r ≤ π/4, by Taylor's series: the first terms left out are r¹⁹/19! and r²⁰/20!, below 1e-19.
-#[inline]
-fn octant(r: f64) -> (f64, f64) {
+#[inline(always)]
+pub(crate) fn octant(r: f64) -> (f64, f64) {
     const S: [f64; 8] = [
         -1.0 / 6.0,
         1.0 / 120.0,

@@ -6,8 +6,11 @@ mod common;
 
 mod equilibrium;
 mod geometry;
+mod holding;
 mod refusal;
 mod section;
+mod separation;
+mod stability;
 mod support;
 
 use nply::Handedness;

@@ -143,7 +143,12 @@ impl<const K: usize> Panel<K> {
             let unnoticed = if slope_lost { NEAREST * NEAREST * NEAREST * size } else { 0.0 };
             if b[0].abs() <= self.rounding_at_start(here).max(unnoticed) {
                 match self.sign_past_zero(here, slope, slope_lost) {
-                    Some(from) => self.search_past_zero(here, b, tolerance, from, found, depth),
+                    Some(from) => {
+                        // nearer to 0 than this what is left of the terms that cancel there hides the first order
+                        let hidden = if slope == 0.0 { 0.0 } else { self.rounding_at_start(here) / slope.abs() };
+                        let low = hidden.min(0.5 * self.end);
+                        self.search_past_zero(here, b, tolerance, (from, low), found, depth);
+                    }
                     None => self.search_away_from_zero(here, found, depth),
                 }
                 return;
@@ -244,7 +249,7 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// The combination vanishes at coordinate 0, beyond which it has the sign `from`: its roots elsewhere are those of the
+    /// The combination vanishes at coordinate 0, beyond which it has the sign `from`, at `low` for sure: its roots elsewhere are those of the
     /// quotient by the coordinate.
     #[cold]
     fn search_past_zero<B: Basis<K>>(
@@ -252,14 +257,14 @@ impl<const K: usize> Panel<K> {
         here: &Combination<'_, B, K>,
         b: &Bernstein,
         tolerance: f64,
-        from: bool,
+        (from, low): (bool, f64),
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
         let to = b[ORDER - 1] >= 0.0;
         if self.is_lost(here, b) {
             if depth < DEEPEST && from != to {
-                found(here.refine(self.start, self.end, from, 0.5 * self.end));
+                found(here.refine(low, self.end, from, 0.5 * self.end));
             }
             return;
         }
@@ -268,10 +273,10 @@ impl<const K: usize> Panel<K> {
         quotient[0] = if from { 1.0 } else { -1.0 };
         match bernstein::sign_changes(&quotient, (ORDER - 1) as f64 * tolerance) {
             0 => {}
-            1 => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
+            1 => found(here.refine(low, self.end, from, 0.5 * self.end)),
             _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
             _ if from == to => {}
-            _ => found(here.refine(self.start, self.end, from, 0.5 * self.end)),
+            _ => found(here.refine(low, self.end, from, 0.5 * self.end)),
         }
     }
 
