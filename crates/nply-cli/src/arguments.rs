@@ -9,6 +9,7 @@ Examples:
   nply solve examples/three-ply-yarn.toml
   nply solve rope.toml --force \"1.2 kN\" --json
   nply solve --strands 3 --stiffness-ratio 0.75 --pretwist -1
+  nply support rope.toml --support-core-diameter \"4 mm\" --ply-length \"0.9 m\" --strand-length \"1 m\"
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
@@ -18,10 +19,42 @@ const SOLVE: &str = "\
 Reads a ply from FILE (TOML), from flags, or from both (flags replace what the file says), and prints every state in
 which it is in equilibrium, of both hands. Give the twist of the strands and the end loads (none: the balanced ply);
 or the lay and two of twist, force and moment, and the third is found; or the lay alone, and the pretwist that
-balances it is found.
+balances it is found. Ends may be held instead of loaded: give the ply's rotation or length, and the load that holds it
+there is found.
 
 A quantity is a number with its unit: \"0.5 mm\", \"70 GPa\", \"50 pN nm^2\", \"200 turns/m\", \"5 turns/inch\", \"20 deg\".
 Where no size is given at all, bare numbers are dimensionless: r = B = 1.";
+
+const SUPPORT: &str = "\
+Prints every state in which all closed contacts push and none pulls: strands carried by their
+neighbours, by a core, by both, or free (the ply has opened), of both hands; whether each is
+stable under dead loads, with ends that cannot turn, with the length held, and with the strands'
+torque held; and the loads at which that changes. Give the twist of the strands, and the loads or
+how the ends are held.
+
+A core is given by --support-core-radius or --support-core-diameter (or [support] in FILE):
+whether strands lie on it is found. That is not --core-radius, which belongs to the lay and says
+that touching strands do lie on it.";
+
+const TRACE: &str = "\
+Follows a ply from the data of FILE (or flags) to others, leg by leg, by the smallest steps needed: through folds, over
+contacts that open and close. Where it leads is said by --to-force, --to-pretwist and the like, or by [[path]] tables
+in FILE, one a leg. Prints what happens on the way, each event where it happens: strands part or meet, on the core or
+off it, a fold (the stable states end, and the ply jumps: where to is said), 45 degrees, no more turns, straight.
+
+Contacts push and never pull. With --kept (always in radial balance) neighbours stay together even where they would
+have to pull, as in the paper.";
+
+const MAP: &str = "\
+Finds every state over a rectangle of two data, on all cores: the number of states, angle, pressure, stable or not,
+separated or not. The corners are given by --from-... and --to-... flags (the first --to-... runs across, the second up)
+or by `from` and `to` in [map] of FILE. Writes a table, one row a state, to --output (CSV, or Parquet if it ends in
+.parquet) or to standard output, and a picture to --plot.";
+
+const LOCUS: &str = "\
+Prints the loads at which touching strands just stop pressing on each other (p = 0), for both hands, from straight
+strands to flat rings: the special points as a table, the whole curve as CSV or JSON, and a picture with --plot. Only the
+twist of the strands is looked at.";
 
 const CONTACT: &str = "\
 Prints how neighbouring strands touch at a given lay: helix radius, arclength shift, contact line, hole, curvature.
@@ -48,14 +81,87 @@ pub(crate) fn command() -> Command {
                     .after_help(EXAMPLES),
                 |_| true,
             )
-            .arg(
-                Arg::new("format")
-                    .long("format")
-                    .value_name("FORMAT")
-                    .value_parser(PossibleValuesParser::new(["table", "json", "csv"]))
-                    .default_value("table")
-                    .help("How to write the answer"),
+            .arg(format())
+            .arg(json()),
+        )
+        .subcommand(
+            with_keys(
+                Command::new("support")
+                    .about("What carries the strands: neighbours, a core, both, or nothing")
+                    .long_about(SUPPORT)
+                    .after_help(EXAMPLES),
+                |key| key.table != Table::Lay,
             )
+            .arg(format())
+            .arg(json()),
+        )
+        .subcommand(
+            corners(
+                with_keys(Command::new("trace").about("Follow a ply along a path").long_about(TRACE), |key| {
+                    key.table != Table::Lay && key.name != "separation"
+                }),
+                "to-",
+                "Where the path leads",
+            )
+            .arg(
+                Arg::new("start")
+                    .long("start")
+                    .value_name("STATE")
+                    .value_parser(value_parser!(u32).range(1..))
+                    .help("The number of the state to start from, of those listed; the first stable one if absent"),
+            )
+            .arg(
+                Arg::new("kept")
+                    .long("kept")
+                    .action(ArgAction::SetTrue)
+                    .help("Keep neighbours together even where they would have to pull"),
+            )
+            .arg(
+                Arg::new("curvature-limit")
+                    .long("curvature-limit")
+                    .value_name("STRAIN")
+                    .value_parser(value_parser!(f64))
+                    .help(
+                        "Say where the bending strain of the outer fibre, strand radius times curvature, passes this",
+                    ),
+            )
+            .arg(plot())
+            .arg(format())
+            .arg(json()),
+        )
+        .subcommand(
+            corners(
+                corners(
+                    with_keys(Command::new("map").about("Every state over two data").long_about(MAP), |key| {
+                        key.table != Table::Lay && key.name != "separation"
+                    }),
+                    "from-",
+                    "Where the rectangle begins",
+                ),
+                "to-",
+                "Where it ends: the first of these runs across, the second up",
+            )
+            .arg(points("columns", "Points across (200)"))
+            .arg(points("rows", "Points up (200)"))
+            .arg(
+                Arg::new("output")
+                    .long("output")
+                    .short('o')
+                    .value_name("FILE")
+                    .help("Where to write the table: CSV, or Parquet if the name ends in .parquet"),
+            )
+            .arg(plot())
+            .arg(points("jobs", "Threads to use (all cores)"))
+            .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar")),
+        )
+        .subcommand(
+            with_keys(
+                Command::new("locus").about("The loads at which touching strands part").long_about(LOCUS),
+                |key| !matches!(key.table, Table::Lay | Table::Ends | Table::Support) && key.name != "separation",
+            )
+            .arg(points("points", "Angles on each curve (200)"))
+            .arg(plot())
+            .arg(format())
             .arg(json()),
         )
         .subcommand(
@@ -82,6 +188,32 @@ pub(crate) fn command() -> Command {
         )
 }
 
+fn plot() -> Arg {
+    Arg::new("plot").long("plot").value_name("FILE").help("Draw a picture (SVG)")
+}
+
+fn points(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).long(name).value_name("N").value_parser(value_parser!(u32).range(1..)).help(help)
+}
+
+/// One flag with a prefix for each key that can change within a study.
+fn corners(command: Command, prefix: &str, heading: &'static str) -> Command {
+    KEYS.iter().filter(|key| key.may_change()).fold(command, |command, key| {
+        let name = format!("{prefix}{}", key.flag);
+        let flag = Arg::new(name.clone()).long(name).help(key.help).help_heading(heading).hide_short_help(true);
+        command.arg(flag.allow_hyphen_values(true).value_name(value_name(key.kind)))
+    })
+}
+
+fn format() -> Arg {
+    Arg::new("format")
+        .long("format")
+        .value_name("FORMAT")
+        .value_parser(PossibleValuesParser::new(["table", "json", "csv"]))
+        .default_value("table")
+        .help("How to write the answer")
+}
+
 fn json() -> Arg {
     Arg::new("json").long("json").action(ArgAction::SetTrue).help("Write JSON (the same as --format json)")
 }
@@ -105,6 +237,8 @@ const fn heading(table: Table) -> &'static str {
         Table::Twist => "Twist of the strands (one)",
         Table::Lay => "Lay, where the shape is given (one)",
         Table::Load => "Load",
+        Table::Ends => "Ends that are held (one)",
+        Table::Support => "A core the strands may lie on (one)",
     }
 }
 

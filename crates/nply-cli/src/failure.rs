@@ -4,6 +4,7 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use nply_sheet::SpecError;
+use nply_sheet::table::TableError;
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -14,12 +15,16 @@ pub(crate) enum Failure {
     File { what: String, error: io::Error },
     /// Nobody reads the answer any more: no error.
     ClosedPipe,
+    /// Ctrl-C.
+    Interrupted,
 }
 
 /// File trouble.
 const FILE: u8 = 3;
 /// Usage.
 const USAGE: u8 = 2;
+/// As of a program that Ctrl-C ended.
+const INTERRUPTED: u8 = 130;
 
 impl Failure {
     /// Says what is the matter and gives the exit status.
@@ -28,10 +33,27 @@ impl Failure {
             Self::Refused(error, text) => (error.render_styled(&text), error.exit_code()),
             Self::File { what, error } => (format!("error: {what}: {error}"), FILE),
             Self::ClosedPipe => return ExitCode::SUCCESS,
+            Self::Interrupted => ("interrupted: nothing is kept".to_owned(), INTERRUPTED),
         };
         // where standard error is closed too there is nobody left to tell
         let _ = writeln!(anstream::stderr(), "{}", text.trim_end());
         ExitCode::from(status)
+    }
+
+    /// Of writing to standard output.
+    pub(crate) fn of_output(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::ClosedPipe,
+            _ => Self::File { what: "cannot write the answer".to_owned(), error },
+        }
+    }
+
+    /// Of writing a table.
+    pub(crate) fn of_table(error: TableError) -> Self {
+        match error {
+            TableError::Write(error) => Self::of_output(error),
+            other => Self::File { what: "cannot write the table".to_owned(), error: io::Error::other(other) },
+        }
     }
 
     /// Help and version go to standard output with status 0, anything else to standard error with status 2.

@@ -49,6 +49,25 @@ pub(crate) fn read(arguments: &ArgMatches) -> Result<Input, Failure> {
     }
 }
 
+/// What changes at a corner of a study, by flags with a prefix, in the order in which they were given; `None` without any.
+pub(crate) fn corner(arguments: &ArgMatches, prefix: &str) -> Result<Option<Spec>, Failure> {
+    let mut flags: Vec<(usize, &str, &str)> = KEYS
+        .iter()
+        .filter(|key| key.may_change())
+        .filter_map(|key| {
+            let name = format!("{prefix}{}", key.flag);
+            let value = arguments.try_get_one::<String>(&name).ok().flatten()?;
+            Some((arguments.index_of(&name)?, key.flag, value.as_str()))
+        })
+        .collect();
+    flags.sort_by_key(|(index, ..)| *index);
+    if flags.is_empty() {
+        return Ok(None);
+    }
+    let flags = flags.into_iter().map(|(_, flag, value)| (flag, value));
+    Spec::from_prefixed_flags(prefix, flags).map(Some).map_err(|error| Failure::Refused(error, String::new()))
+}
+
 fn load(file: impl io::Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(LARGEST + 1).read_to_end(&mut bytes)?;

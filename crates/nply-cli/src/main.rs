@@ -4,6 +4,7 @@ mod arguments;
 mod failure;
 mod input;
 mod output;
+mod study;
 
 use std::process::ExitCode;
 
@@ -20,6 +21,10 @@ fn main() -> ExitCode {
     };
     let done = match matches.subcommand() {
         Some(("solve", arguments)) => solve(arguments),
+        Some(("support", arguments)) => support(arguments),
+        Some(("trace", arguments)) => study::trace(arguments),
+        Some(("map", arguments)) => study::map(arguments),
+        Some(("locus", arguments)) => study::locus(arguments),
         Some(("contact", arguments)) => contact(arguments),
         Some(("lays", arguments)) => lays(arguments),
         _ => Ok(()), // a subcommand is required: not reached
@@ -34,6 +39,17 @@ fn main() -> ExitCode {
 fn solve(arguments: &ArgMatches) -> Result<(), Failure> {
     let input = input::read(arguments)?;
     let report = input.spec.check().and_then(Report::of).map_err(|error| input.refused(error))?;
+    write(&report, arguments)
+}
+
+/// `nply support`: what carries the strands of one ply.
+fn support(arguments: &ArgMatches) -> Result<(), Failure> {
+    let input = input::read(arguments)?;
+    let report = input.spec.check_supports().and_then(Report::of).map_err(|error| input.refused(error))?;
+    write(&report, arguments)
+}
+
+fn write(report: &Report, arguments: &ArgMatches) -> Result<(), Failure> {
     output::write(&match Format::of(arguments) {
         Format::Table => report.text(true),
         Format::Json => report.json(),

@@ -4,6 +4,7 @@
 //! squared distance (4) of the touching sections itself; the balance G of the design, with its ρ′ term for `contact` and
 //! without it for `radial`, bisected between the signs on 1000 angles; everything in mpmath, 17 digits quoted.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
+#![allow(clippy::disallowed_methods, reason = "numbers to compare with go another way")]
 
 mod command;
 
@@ -56,7 +57,7 @@ fn every_example_is_answered_and_names_its_source() {
             );
         }
     }
-    assert_eq!(count, 6, "an example without a test of its own");
+    assert_eq!(count, 7, "an example without a test of its own");
 }
 
 /// Lay of 8.5 nm, chain radius 0.2582 nm: 2πρ/tan θ = 8.5/0.2582.
@@ -134,4 +135,95 @@ fn wire_strand_on_core() {
     // tested: lay angles from 9.2 to 17.0 degrees, on this core
     assert!((9.2..17.0).contains(&number(&state, "helical_angle_deg")));
     near(number(&state["si"], "hole_radius"), 1.97e-3, TOLERANCE);
+}
+
+/// What the ends of the birdcage hold: r·rad of turns per wire length, ρ on the king wire, f = −3 kN·r²/B.
+struct Birdcage {
+    turns: f64,
+    on_core: f64,
+    force: f64,
+}
+
+const BIRDCAGE: Birdcage = {
+    const RADIUS: f64 = 1.5e-3;
+    let stiffness = std::f64::consts::PI * 200e9 * (RADIUS * RADIUS) * (RADIUS * RADIUS) / 4.0;
+    Birdcage {
+        turns: std::f64::consts::TAU * 0.7 * RADIUS / 0.1,
+        on_core: 1.0 + 3.15 / 3.0,
+        force: -3000.0 * RADIUS * RADIUS / stiffness,
+    }
+};
+
+impl Birdcage {
+    /// Energy of one of the six wires, bent but not twisted, as a helix of given angle and ρ, the ply under a moment.
+    fn energy(&self, angle: f64, rho: f64, moment: f64) -> f64 {
+        let (s, c) = angle.sin_cos();
+        let curvature = s * s / rho;
+        let loads = self.force * c + moment * s / rho;
+        0.5 * curvature * curvature - loads / 6.0
+    }
+
+    /// ρ of six touching helices, by a search for the nearest point of a neighbour.
+    fn touching(angle: f64) -> f64 {
+        let distance = |azimuth: f64| {
+            let across = 2.0 - 2.0 * (azimuth + std::f64::consts::TAU / 6.0).cos();
+            across + (azimuth / angle.tan()).powi(2)
+        };
+        let (mut low, mut high) = (-std::f64::consts::TAU / 6.0, 0.0);
+        for _ in 0..200 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if distance(a) < distance(b) { high = b } else { low = a }
+        }
+        2.0 / distance(low).sqrt()
+    }
+}
+
+/// Where a function that changes its sign does so.
+fn crossing(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let negative = f(low) < 0.0;
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if (f(middle) < 0.0) == negative { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// On the king wire, on the verge of a birdcage, and a birdcage whose wires touch: by the energy alone, and by a search.
+#[test]
+fn birdcage() {
+    let report = solved("birdcage");
+    let [on_core, free, touching] = states(&report) else { panic!("{report}") };
+    let names: Vec<_> = states(&report).iter().map(|state| state["support"].as_str().unwrap()).collect();
+    assert_eq!(names, ["core", "none", "neighbours"]);
+    let strand = BIRDCAGE;
+    for state in states(&report) {
+        near(number(state, "rotation"), strand.turns, TOLERANCE);
+        near(number(state, "force"), strand.force, TOLERANCE);
+    }
+    // on the king wire the turns fix the angle, energy is at rest there, and rises outwards by what the core presses
+    let (angle, rho, h) = (number(on_core, "helical_angle"), strand.on_core, 1e-5);
+    near(angle.sin(), strand.turns * rho, TOLERANCE);
+    let energy = |angle: f64, rho: f64| strand.energy(angle, rho, number(on_core, "moment"));
+    assert!((energy(angle + h, rho) - energy(angle - h, rho)).abs() < 1e-10 * 2.0 * h);
+    let outward = (energy(angle, rho + h) - energy(angle, rho - h)) / (2.0 * h);
+    assert!((number(on_core, "core_pressure") - outward).abs() < 1e-10 && outward > 1e-5, "{outward}");
+    near(number(on_core, "neighbour_gap"), 2.0 * (rho / Birdcage::touching(angle) - 1.0), 1e-7);
+    // with the turns held a free helix has one angle left; its energy is greatest where nothing has to hold it
+    let alone = |angle: f64| strand.energy(angle, angle.sin() / strand.turns, 0.0);
+    let slope = |angle: f64| alone(angle + 1e-4) - alone(angle - 1e-4);
+    let verge = crossing(0.3, 1.5, slope);
+    assert!(slope(verge - 0.1) > 0.0 && slope(verge + 0.1) < 0.0);
+    assert!((number(free, "helical_angle") - verge).abs() < 1e-7, "{verge}");
+    assert_eq!(free["stability_by_holding"]["rotation_held"], "unstable");
+    near(number(free, "core_gap"), verge.sin() / strand.turns - rho, 1e-6);
+    // beyond it the wires swing out until they touch each other
+    let flat = crossing(1.0, 1.5, |angle| angle.sin() / Birdcage::touching(angle) - strand.turns);
+    assert!((number(touching, "helical_angle") - flat).abs() < 1e-8, "{flat}");
+    // the thrust that lifts the wires off their king wire: nothing presses outwards or inwards there, n y² cos θ in B/r²
+    let lift_off = 6.0 * strand.turns * strand.turns * angle.cos() * 3.0 / -strand.force;
+    for (share, holds) in [(0.999, true), (1.001, false)] {
+        let thrust = format!("{} kN", -share * lift_off);
+        let pushed = json(&["solve", "examples/birdcage.toml", "--force", &thrust, "--json"]);
+        assert_eq!(states(&pushed).iter().any(|state| state["support"] == "core"), holds, "{thrust}");
+    }
 }

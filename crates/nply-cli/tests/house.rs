@@ -104,7 +104,9 @@ fn theory_and_paperwork_touch_no_file_and_print_nothing() {
                 "eprint!(",
                 "dbg!(",
             ] {
-                assert!(!code.contains(word), "{path}: {word}");
+                // tables are written to whatever a door hands over
+                let handed_over = word == "std::io" && path.contains("/nply-sheet/src/table/");
+                assert!(handed_over || !code.contains(word), "{path}: {word}");
             }
         }
     }

@@ -29,8 +29,9 @@ fn every_name_in_json_is_documented() {
     let solved = nply(&["solve", "examples/wire-strand-on-core.toml", "--json"]);
     let shape =
         nply(&["contact", "--strands", "3", "--helical-angle", "60 deg", "--diameter", "1 mm", "--branches", "--json"]);
+    let supports = nply(&["support", "examples/birdcage.toml", "--json"]);
     let mut names = 0;
-    for line in solved.lines().chain(shape.lines()) {
+    for line in solved.lines().chain(shape.lines()).chain(supports.lines()) {
         // keys of the objects: `"name": …`
         if let Some((name, _)) = line.trim_start().strip_prefix('"').and_then(|rest| rest.split_once("\": ")) {
             assert!(

@@ -15,11 +15,15 @@ pub enum Table {
     Lay,
     /// `[load]`: what pulls and turns the ply.
     Load,
+    /// `[ends]`: how the ply's ends are held, where a displacement is given instead of a load.
+    Ends,
+    /// `[support]`: a core that the strands may lie on or lift off from.
+    Support,
 }
 
 impl Table {
     /// All tables, in the order in which a file is usually written.
-    pub const ALL: [Self; 5] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load];
+    pub const ALL: [Self; 7] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load, Self::Ends, Self::Support];
 
     /// The name between the brackets.
     #[must_use]
@@ -30,6 +34,8 @@ impl Table {
             Self::Twist => "twist",
             Self::Lay => "lay",
             Self::Load => "load",
+            Self::Ends => "ends",
+            Self::Support => "support",
         }
     }
 }
@@ -136,6 +142,10 @@ pub(crate) enum Group {
     Twist,
     /// The shape of the ply.
     Lay,
+    /// How the ply's ends are held.
+    Ends,
+    /// The size of a core the strands may lie on.
+    Support,
 }
 
 /// One datum, whatever it is called on paper.
@@ -178,6 +188,13 @@ pub enum Datum {
     Moment,
     ExternalPressure,
     Separation,
+    PlyRotation,
+    PlyTurns,
+    PlyTurnsPerStrandLength,
+    PlyLength,
+    LengthRatio,
+    SupportCoreRadius,
+    SupportCoreDiameter,
 }
 
 /// One key: where it stands in the file, its flag, what it means.
@@ -221,6 +238,19 @@ impl Key {
         self
     }
 
+    /// Whether it can change along a path or over a map: loads, twist, ends, the support's core, the stiffness ratio.
+    ///
+    /// ```
+    /// use nply_sheet::KEYS;
+    /// assert!(KEYS.iter().any(|key| key.flag == "force" && key.may_change()));
+    /// assert!(KEYS.iter().all(|key| key.flag != "strands" || !key.may_change()));
+    /// ```
+    #[must_use]
+    pub const fn may_change(&self) -> bool {
+        matches!(self.table, Table::Twist | Table::Ends | Table::Support)
+            || matches!(self.datum, Datum::Force | Datum::Moment | Datum::StiffnessRatio)
+    }
+
     /// The key of a datum.
     pub(crate) fn of(datum: Datum) -> Option<&'static Self> {
         KEYS.iter().find(|key| key.datum == datum)
@@ -229,7 +259,7 @@ impl Key {
 
 /// Every key, table by table.
 #[rustfmt::skip] // a table: one row a line
-pub static KEYS: [Key; 35] = [
+pub static KEYS: [Key; 42] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
     key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
@@ -246,7 +276,7 @@ pub static KEYS: [Key; 35] = [
     key(Datum::BendingPersistenceLength, Table::Strand, "bending_persistence_length", "bending-persistence-length", Kind::Length, "Bending persistence length A, B = kT A").one_of(Group::Bending),
     key(Datum::TwistPersistenceLength, Table::Strand, "twist_persistence_length", "twist-persistence-length", Kind::Length, "Twist persistence length C', C = kT C'").one_of(Group::Torsion),
     key(Datum::Temperature, Table::Strand, "temperature", "temperature", Kind::Temperature, "Temperature T for persistence lengths"),
-    key(Datum::StrandLength, Table::Strand, "length", "strand-length", Kind::Length, "Strand length L; needed for turns and end_rotation"),
+    key(Datum::StrandLength, Table::Strand, "length", "strand-length", Kind::Length, "Strand length L; needed for turns and rotations, and for the ply's length"),
 
     key(Datum::Pretwist, Table::Twist, "pretwist", "pretwist", Kind::Number, "Rotation put into each strand per length, times r; right-handed positive").one_of(Group::Twist),
     key(Datum::SurfaceAngle, Table::Twist, "surface_angle", "surface-angle", Kind::Angle, "Angle chi of a stripe on the straight strand, pretwist = tan chi").one_of(Group::Twist),
@@ -262,13 +292,22 @@ pub static KEYS: [Key; 35] = [
     key(Datum::LayRatio, Table::Lay, "lay_ratio", "lay-ratio", Kind::Number, "Lay length over the outer diameter of the ply").one_of(Group::Lay),
     key(Datum::PlyTurnsPerLength, Table::Lay, "turns_per_length", "ply-turns-per-length", Kind::TurnsPerLength, "Turns of the ply per ply length; right-handed positive").one_of(Group::Lay),
     key(Datum::RadiusRatio, Table::Lay, "radius_ratio", "radius-ratio", Kind::Number, "Helix radius of the strands over the strand radius, R/r").one_of(Group::Lay),
-    key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core the strands lie on, R = core radius + r").one_of(Group::Lay),
-    key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core the strands lie on").one_of(Group::Lay),
+    key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core that touching strands do lie on (this gives the shape), R = core radius + r").one_of(Group::Lay),
+    key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core that touching strands do lie on (this gives the shape)").one_of(Group::Lay),
 
     key(Datum::Force, Table::Load, "force", "force", Kind::Force, "End force on the ply, tension positive"),
     key(Datum::Moment, Table::Load, "moment", "moment", Kind::Moment, "End moment on the ply, right-handed positive"),
     key(Datum::ExternalPressure, Table::Load, "external_pressure", "external-pressure", Kind::ForcePerLength, "Radial force per strand length from outside, outward positive"),
     key(Datum::Separation, Table::Load, "separation", "separation", Kind::Switch, "Find the load at which the strands just stop pressing on each other"),
+
+    key(Datum::PlyRotation, Table::Ends, "rotation", "ply-rotation", Kind::Angle, "Angle the ply's end is turned by and held at, from straight strands on; right-handed positive").one_of(Group::Ends),
+    key(Datum::PlyTurns, Table::Ends, "turns", "ply-turns", Kind::Turns, "The same in turns: 12 turns lay the strands 12 times round").one_of(Group::Ends),
+    key(Datum::PlyTurnsPerStrandLength, Table::Ends, "turns_per_strand_length", "ply-turns-per-strand-length", Kind::TurnsPerLength, "The same in turns per strand length").one_of(Group::Ends),
+    key(Datum::PlyLength, Table::Ends, "length", "ply-length", Kind::Length, "Length the ply is held at, less than the strand length").one_of(Group::Ends),
+    key(Datum::LengthRatio, Table::Ends, "length_ratio", "length-ratio", Kind::Number, "The same over the strand length, between 0 and 1").one_of(Group::Ends),
+
+    key(Datum::SupportCoreRadius, Table::Support, "core_radius", "support-core-radius", Kind::Length, "Radius of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
+    key(Datum::SupportCoreDiameter, Table::Support, "core_diameter", "support-core-diameter", Kind::Length, "Diameter of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
 ];
 
 /// The name among `known` that is nearest to what was written, if it is near enough to have been meant.
@@ -308,6 +347,12 @@ mod tests {
             match key.datum {
                 Datum::StrandLength => assert_eq!(key.flag, "strand-length"),
                 Datum::PlyTurnsPerLength => assert_eq!(key.flag, "ply-turns-per-length"),
+                Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength | Datum::PlyLength => {
+                    assert_eq!(key.flag, format!("ply-{same}"));
+                }
+                Datum::SupportCoreRadius | Datum::SupportCoreDiameter => {
+                    assert_eq!(key.flag, format!("support-{same}"));
+                }
                 _ => assert_eq!(key.flag, same),
             }
         }

@@ -17,11 +17,15 @@ mod diagnostic;
 mod dimension;
 mod double;
 mod key;
+pub mod map;
+pub mod plot;
 mod preferred;
 mod quantity;
 mod report;
 mod solve;
 mod spec;
+mod study;
+pub mod table;
 mod unit;
 
 pub use case::{Case, Lay, Question, Shape};
@@ -30,8 +34,11 @@ pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
-pub use report::{COLUMNS, Column, Known, LaysReport, Measure, Reading, Report, Section, ShapeReport};
-pub use solve::Solution;
+pub use report::{
+    AngleLine, COLUMNS, Column, Known, LaysReport, LocusReport, Measure, Reading, Report, Section, ShapeReport,
+    SpecialPoint, TraceReport, Walk,
+};
+pub use solve::{Solution, Supported};
 pub use spec::Spec;
 pub use unit::Unit;
 

@@ -5,7 +5,7 @@ use crate::{Datum, Dimension, Quantity, Unit};
 
 /// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value.
 ///
-/// Strand and core sizes go before the strand length, which is often in metres where all else is in millimetres.
+/// Strand and core sizes go before the lengths of strand and ply, which are often in metres where all else is in millimetres.
 ///
 /// ```
 /// use nply_sheet::{Dimension, PreferredUnits, Spec};
@@ -45,7 +45,10 @@ impl PreferredUnits {
         let (last, first): (Vec<_>, Vec<_>) = spec.entries.iter().partition(|entry| {
             matches!(
                 entry.key.datum,
-                Datum::StrandLength | Datum::BendingPersistenceLength | Datum::TwistPersistenceLength
+                Datum::StrandLength
+                    | Datum::PlyLength
+                    | Datum::BendingPersistenceLength
+                    | Datum::TwistPersistenceLength
             )
         });
         let mut written: Vec<Unit> = Vec::new();

@@ -1,7 +1,7 @@
 //! From the case to its states.
 
 use nply::geometry::{Contact, HelicalAngle};
-use nply::mechanics::{Balance, Equilibrium, Ply};
+use nply::mechanics::{Balance, Ends, Equilibrium, Ply, SupportedState, Twist, Wedge};
 use nply::{DomainError, Handedness};
 
 use crate::{Case, Lay, Question};
@@ -16,6 +16,23 @@ pub struct Solution {
     pub straight: Option<bool>,
     /// The same case in the other balance, where that was asked of all angles and no pressure acts from outside.
     pub other_balance: Option<Vec<Equilibrium>>,
+    /// Where it was asked what carries the strands, the answer to that; `states` is empty then.
+    pub supported: Option<Supported>,
+}
+
+/// What carries the strands, and under which loads that changes.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Supported {
+    /// Every state in which all closed contacts push, right-handed first, then by angle.
+    pub states: Vec<SupportedState>,
+    /// The loads under which neighbours and core both carry, right-handed first; empty without a core, or where touching strands
+    /// cannot lie on it.
+    pub wedges: Vec<Wedge>,
+    /// Where touching strands that are clear of the core open under the force given; the moment is found.
+    pub openings_at_force: Vec<Equilibrium>,
+    /// Where they open under the moment given; the force is found.
+    pub openings_at_moment: Vec<Equilibrium>,
 }
 
 impl Lay {
@@ -66,6 +83,7 @@ impl Case {
         };
         let mut straight = None;
         let mut other_balance = None;
+        let mut supported = None;
         let states = match self.question {
             Question::States { twist, load } => {
                 straight = Some(ply.straight_holds(twist, load));
@@ -89,13 +107,45 @@ impl Case {
             }
             Question::SeparationAtForce { twist, force } => ply.separation_at_force(twist, force)?,
             Question::SeparationAtMoment { twist, moment } => ply.separation_at_moment(twist, moment)?,
+            Question::Held { twist, ends } => ply.equilibria_held(twist, ends)?,
+            Question::Supported { twist, ends, core_radius } => {
+                if let Ends::Loads(load) = ends {
+                    straight = Some(ply.straight_holds(twist, load));
+                }
+                supported = Some(Supported::of(&ply, twist, ends, core_radius)?);
+                Vec::new()
+            }
         };
-        Ok(Solution { states, straight, other_balance })
+        Ok(Solution { states, straight, other_balance, supported })
     }
 
     fn ply(&self, balance: Balance) -> Result<Ply, DomainError> {
         let ply = Ply::with_balance(self.strands, self.stiffness_ratio, balance)?;
         self.external_pressure.map_or(Ok(ply.clone()), |pressure| ply.with_external_pressure(pressure))
+    }
+}
+
+impl Supported {
+    fn of(ply: &Ply, twist: Twist, ends: Ends, core_radius: Option<f64>) -> Result<Self, DomainError> {
+        let wedges = core_radius.map(|core| ply.wedges(twist, core)).transpose()?.flatten();
+        // a core in the way takes the place of the neighbours before these part
+        let clear = |states: Vec<Equilibrium>| -> Vec<Equilibrium> {
+            let least = 1.0 + core_radius.unwrap_or(0.0);
+            states.into_iter().filter(|state| state.contact().radius_ratio() >= least).collect()
+        };
+        let (force, moment) = match ends {
+            Ends::Loads(load) => (Some(load.force), Some(load.moment)),
+            Ends::Rotation { force, .. } => (Some(force), None),
+            Ends::Length { moment, .. } => (None, Some(moment)),
+        };
+        let at_force = force.map(|force| ply.separation_at_force(twist, force)).transpose()?;
+        let at_moment = moment.map(|moment| ply.separation_at_moment(twist, moment)).transpose()?;
+        Ok(Self {
+            states: ply.supported_states(twist, ends, core_radius)?,
+            wedges: wedges.map(Vec::from).unwrap_or_default(),
+            openings_at_force: clear(at_force.unwrap_or_default()),
+            openings_at_moment: clear(at_moment.unwrap_or_default()),
+        })
     }
 }
 

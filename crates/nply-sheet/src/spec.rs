@@ -38,7 +38,7 @@ impl Entry {
     pub(crate) fn said(&self) -> String {
         match self.place {
             Place::File { .. } => format!("`{} = {}`", self.key.name, self.written),
-            Place::Flag(_) => format!("`--{} {}`", self.key.flag, self.written),
+            Place::Flag(ref flag) => format!("`--{flag} {}`", self.written),
         }
     }
 
@@ -66,6 +66,20 @@ pub struct Spec {
     tables: Vec<(Table, Place)>,
     /// The beginning of the file; `None` where all came from flags.
     start: Option<Place>,
+    /// `[[path]]`: what changes, leg by leg.
+    pub(crate) legs: Vec<Self>,
+    /// `[map]`: what changes over a rectangle.
+    pub(crate) map: Option<Box<MapSpec>>,
+}
+
+/// `[map]`: the corners of a rectangle of data, and how finely it is divided.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MapSpec {
+    pub(crate) from: Spec,
+    pub(crate) to: Spec,
+    pub(crate) columns: Option<f64>,
+    pub(crate) rows: Option<f64>,
+    pub(crate) place: Place,
 }
 
 impl Spec {
@@ -94,29 +108,86 @@ impl Spec {
             let message = format!("this is not TOML: {}", one_line(error.message()));
             SpecError::new(ErrorKind::Syntax, place(bytes), message).with_help(help)
         })?;
-        let mut spec = Self { entries: Vec::new(), tables: Vec::new(), start: Some(place(0..0)) };
+        let mut spec = Self::empty(Some(place(0..0)));
         for (header, value) in in_order(document.get_ref()) {
             let written: &str = header.get_ref();
-            let Some(table) = Table::ALL.into_iter().find(|table| table.name() == written) else {
-                let is_table = matches!(value.get_ref(), DeValue::Table(_));
-                return Err(unknown_table(written, is_table, place(header.span())));
-            };
-            let DeValue::Table(content) = value.get_ref() else {
-                let what = format!(
-                    "`{written}` is a table of its own: write `[{written}]` once, and its keys on the lines below"
-                );
-                return Err(SpecError::new(ErrorKind::WrongType, place(header.span()), what).of_key(written));
-            };
-            spec.tables.push((table, place(header.span())));
-            for (key, value) in in_order(content) {
-                let written: &str = key.get_ref();
-                let Some(known) = KEYS.iter().find(|known| known.table == table && known.name == written) else {
-                    return Err(unknown_key(table, written, place(key.span())));
-                };
-                spec.entries.push(read_toml(known, value, text, place(value.span()))?);
+            match (written, value.get_ref()) {
+                ("path", DeValue::Array(legs)) => {
+                    for leg in legs.iter() {
+                        spec.legs.push(Self::corner(leg, text, &place, "a leg of [[path]]")?);
+                    }
+                }
+                ("path", _) => {
+                    let message = "a path has legs: write `[[path]]` once for each, and below it what changes, such as `load.force = \"2 N\"`";
+                    return Err(SpecError::new(ErrorKind::WrongType, place(header.span()), message).of_key(written));
+                }
+                ("map", DeValue::Table(content)) => {
+                    spec.map = Some(Box::new(MapSpec::read(content, text, &place, place(header.span()))?));
+                }
+                _ => spec.read_table(header, value, text, &place)?,
             }
         }
         Ok(spec)
+    }
+
+    /// Nothing given yet.
+    fn empty(start: Option<Place>) -> Self {
+        Self { entries: Vec::new(), tables: Vec::new(), start, legs: Vec::new(), map: None }
+    }
+
+    /// What changes at a corner of a study: tables as in the file itself.
+    fn corner(
+        value: &Spanned<DeValue<'_>>,
+        text: &str,
+        place: &impl Fn(core::ops::Range<usize>) -> Place,
+        what: &str,
+    ) -> Result<Self, SpecError> {
+        let mut corner = Self::empty(Some(place(value.span())));
+        let DeValue::Table(content) = value.get_ref() else {
+            let message = format!("{what} says what changes, such as `load.force = \"2 N\"`");
+            return Err(SpecError::new(ErrorKind::WrongType, place(value.span()), message));
+        };
+        for (header, value) in in_order(content) {
+            corner.read_table(header, value, text, place)?;
+        }
+        match corner.entries.iter().find(|entry| !entry.key.may_change()) {
+            None => Ok(corner),
+            Some(entry) => {
+                let message = format!(
+                    "{} cannot change within a study: {what} takes loads, twist, ends, the support's core and the stiffness ratio",
+                    entry.said()
+                );
+                Err(entry.error(ErrorKind::Contradiction, message))
+            }
+        }
+    }
+
+    fn read_table(
+        &mut self,
+        header: &Spanned<Cow<'_, str>>,
+        value: &Spanned<DeValue<'_>>,
+        text: &str,
+        place: &impl Fn(core::ops::Range<usize>) -> Place,
+    ) -> Result<(), SpecError> {
+        let written: &str = header.get_ref();
+        let Some(table) = Table::ALL.into_iter().find(|table| table.name() == written) else {
+            let is_table = matches!(value.get_ref(), DeValue::Table(_));
+            return Err(unknown_table(written, is_table, place(header.span())));
+        };
+        let DeValue::Table(content) = value.get_ref() else {
+            let what =
+                format!("`{written}` is a table of its own: write `[{written}]` once, and its keys on the lines below");
+            return Err(SpecError::new(ErrorKind::WrongType, place(header.span()), what).of_key(written));
+        };
+        self.tables.push((table, place(header.span())));
+        for (key, value) in in_order(content) {
+            let written: &str = key.get_ref();
+            let Some(known) = KEYS.iter().find(|known| known.table == table && known.name == written) else {
+                return Err(unknown_key(table, written, place(key.span())));
+            };
+            self.entries.push(read_toml(known, value, text, place(value.span()))?);
+        }
+        Ok(())
     }
 
     /// As [`Spec::from_toml`], from bytes that may not be text at all.
@@ -152,10 +223,28 @@ impl Spec {
     /// assert_eq!(error.to_string(), "--pretwst: this flag is not known; did you mean `--pretwist`?");
     /// ```
     pub fn from_flags<'f>(flags: impl IntoIterator<Item = (&'f str, &'f str)>) -> Result<Self, SpecError> {
-        let mut spec = Self { entries: Vec::new(), tables: Vec::new(), start: None };
+        Self::from_prefixed_flags("", flags)
+    }
+
+    /// As [`Spec::from_flags`], of flags that stand for a corner of a study: `--to-force` with the prefix `to-`. The names are given
+    /// without the prefix.
+    ///
+    /// # Errors
+    /// As [`Spec::from_flags`].
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// let error = Spec::from_prefixed_flags("to-", [("force", "2 mm")]).unwrap_err();
+    /// assert!(error.to_string().starts_with("--to-force: "));
+    /// ```
+    pub fn from_prefixed_flags<'f>(
+        prefix: &str,
+        flags: impl IntoIterator<Item = (&'f str, &'f str)>,
+    ) -> Result<Self, SpecError> {
+        let mut spec = Self::empty(None);
         for (flag, value) in flags {
             let flag = flag.strip_prefix("--").unwrap_or(flag);
-            let place = Place::Flag(flag.to_owned());
+            let place = Place::Flag(format!("{prefix}{flag}"));
             let Some(key) = KEYS.iter().find(|key| key.flag == flag) else {
                 let help =
                     nearest(flag, KEYS.iter().map(|key| key.flag)).map(|name| format!("did you mean `--{name}`?"));
@@ -219,7 +308,28 @@ impl Spec {
     /// # Ok::<(), nply_sheet::SpecError>(())
     /// ```
     pub fn check(&self) -> Result<Case, SpecError> {
-        Case::of(self)
+        Case::of(self, false)
+    }
+
+    /// As [`Spec::check`], asking what carries the strands ([`Question::Supported`](crate::Question::Supported)) whether or not a
+    /// core is given; without one, strands touch their neighbours or nothing.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`Spec::check`], and where the shape is given, `separation` is asked, the balance is radial or an
+    /// external pressure acts.
+    ///
+    /// ```
+    /// use nply_sheet::{Report, Spec};
+    /// let flags = [("strands", "2"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.2"), ("force", "-0.3"), ("moment", "0.9")];
+    /// let report = Report::of(Spec::from_flags(flags)?.check_supports()?)?;
+    /// let json: serde_json::Value = serde_json::from_str(&report.json())?;
+    /// let open = json["states"].as_array().and_then(|states| states.iter().find(|state| state["support"] == "none"));
+    /// let angle = open.and_then(|state| state["helical_angle_deg"].as_f64()).unwrap_or(0.0);
+    /// assert!((angle - 50.36).abs() < 0.01); // free helices
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check_supports(&self) -> Result<Case, SpecError> {
+        Case::of(self, true)
     }
 
     /// The number of strands alone, 1 to a million.
@@ -295,6 +405,42 @@ impl Spec {
     }
 }
 
+impl MapSpec {
+    fn read(
+        content: &DeTable<'_>,
+        text: &str,
+        place: &impl Fn(core::ops::Range<usize>) -> Place,
+        here: Place,
+    ) -> Result<Self, SpecError> {
+        let empty = || Spec::empty(Some(here.clone()));
+        let mut map = Self { from: empty(), to: empty(), columns: None, rows: None, place: here.clone() };
+        for (key, value) in in_order(content) {
+            let written: &str = key.get_ref();
+            let count = || match value.get_ref() {
+                DeValue::Integer(number) => number.as_str().parse::<f64>().ok(),
+                _ => None,
+            };
+            match written {
+                "from" => map.from = Spec::corner(value, text, place, "`from` in [map]")?,
+                "to" => map.to = Spec::corner(value, text, place, "`to` in [map]")?,
+                "columns" | "rows" => {
+                    let Some(count) = count() else {
+                        let message = format!("`{written}`: what is wanted is a whole number, such as 200");
+                        return Err(SpecError::new(ErrorKind::WrongType, place(value.span()), message).of_key(written));
+                    };
+                    *(if written == "rows" { &mut map.rows } else { &mut map.columns }) = Some(count);
+                }
+                _ => {
+                    let message =
+                        format!("{} is no key of [map], which has from, to, columns and rows", ticked(written));
+                    return Err(SpecError::new(ErrorKind::UnknownKey, place(key.span()), message).of_key(written));
+                }
+            }
+        }
+        Ok(map)
+    }
+}
+
 /// The entries of a table in the order of the file.
 fn in_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<Cow<'i, str>>, &'t Spanned<DeValue<'i>>)> {
     let mut entries: Vec<_> = table.iter().collect();
@@ -328,14 +474,15 @@ fn ticked(name: &str) -> String {
 }
 
 fn unknown_table(written: &str, is_table: bool, place: Place) -> SpecError {
-    let belongs = KEYS.iter().find(|key| key.name == written && !is_table);
-    let help = match belongs {
-        Some(key) => Some(format!("it belongs below [{}]", key.table.name())),
+    let belongs = tables_of(written).filter(|_| !is_table);
+    let help = match &belongs {
+        Some(tables) => Some(format!("it belongs below {tables}")),
         None => {
             nearest(written, Table::ALL.into_iter().map(Table::name)).map(|name| format!("did you mean `[{name}]`?"))
         }
     };
-    let tables = "the tables are [ply], [strand], [twist], [lay] and [load]";
+    let tables =
+        "the tables are [ply], [strand], [twist], [lay], [load], [ends] and [support], for studies [[path]] and [map]";
     let message = match belongs {
         Some(_) => format!("{} stands in no table", ticked(written)),
         None => format!("{} is no table of a ply: {tables}", ticked(written)),
@@ -343,11 +490,17 @@ fn unknown_table(written: &str, is_table: bool, place: Place) -> SpecError {
     SpecError::new(ErrorKind::UnknownKey, place, message).of_key(written).with_help(help)
 }
 
+/// The tables that have a key of this name, as in `[twist] or [ends]`.
+fn tables_of(name: &str) -> Option<String> {
+    let tables: Vec<String> =
+        KEYS.iter().filter(|key| key.name == name).map(|key| format!("[{}]", key.table.name())).collect();
+    (!tables.is_empty()).then(|| tables.join(" or "))
+}
+
 fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
     let of_table = || KEYS.iter().filter(move |key| key.table == table);
-    let elsewhere = KEYS.iter().find(|key| key.name == written);
-    let help = match elsewhere {
-        Some(key) => Some(format!("it belongs below [{}]", key.table.name())),
+    let help = match tables_of(written) {
+        Some(tables) => Some(format!("it belongs below {tables}")),
         None => nearest(written, of_table().map(|key| key.name)).map(|name| format!("did you mean `{name}`?")).or_else(
             || {
                 let name = nearest(written, KEYS.iter().map(|key| key.name))?;

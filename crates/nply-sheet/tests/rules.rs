@@ -451,7 +451,7 @@ proptest! {
     }
 
     #[test]
-    fn no_text_panics(text in "(\\[(ply|strand|twist|lay|load|x)\\]\n|[a-z_]{1,12} = |[0-9.e-]{1,6}|\"[^\"\n]{0,8}\"|\n|[ \\[\\]{},='#é\r\t\u{0}]){0,24}") {
+    fn no_text_panics(text in "(\\[(ply|strand|twist|lay|load|ends|support|x)\\]\n|[a-z_]{1,12} = |[0-9.e-]{1,6}|\"[^\"\n]{0,8}\"|\n|[ \\[\\]{},='#é\r\t\u{0}]){0,24}") {
         if let Err(error) = Spec::from_toml("a.toml", &text).and_then(|spec| spec.check()) {
             prop_assert_eq!(error.to_string().lines().count(), 1);
             let _ = error.render(&text);

@@ -75,6 +75,25 @@ impl Measure<'_> {
         entry.error(ErrorKind::Missing, message)
     }
 
+    /// A rotation or length of the whole strand or ply, per strand length L/r.
+    pub(super) fn over_strand_length(
+        &self,
+        entry: &Entry,
+        value: f64,
+        strand_length: Option<f64>,
+    ) -> Result<f64, SpecError> {
+        let Some(length) = strand_length else {
+            let why = match entry.key.kind {
+                Kind::Length => format!("without which {} says nothing of the shape", entry.said()),
+                _ => format!("over which {} is spread", entry.said()),
+            };
+            let give = self.spec.ask_for(Datum::StrandLength);
+            let message = format!("the strand length is missing, {why}: give {give}");
+            return Err(self.spec.missing(Datum::StrandLength, message));
+        };
+        Ok(value / length)
+    }
+
     /// L/r.
     pub(super) fn strand_length(&self) -> Result<Option<f64>, SpecError> {
         let Some(entry) = self.spec.get(Datum::StrandLength) else { return Ok(None) };

@@ -1,13 +1,15 @@
 //! One ply, dimensionless, and the one question asked about it.
 
+mod ends;
 mod lay;
 mod measure;
 mod origin;
 mod question;
 mod strand;
+mod support;
 mod twist;
 
-use nply::mechanics::{Balance, Load, Twist};
+use nply::mechanics::{Balance, Ends, Load, Twist};
 use nply::{DomainError, Handedness, Scale};
 
 use lay::GivenLay;
@@ -115,6 +117,22 @@ pub enum Question {
         /// m given.
         moment: f64,
     },
+    /// The touching states with the ply's ends held, and the load that holds them there.
+    Held {
+        /// The twist given.
+        twist: Twist,
+        /// Rotation and force, or length and moment.
+        ends: Ends,
+    },
+    /// Every state in which all closed contacts push: touching neighbours, on the core, on both, or free.
+    Supported {
+        /// The twist given.
+        twist: Twist,
+        /// Dead loads, or what is held.
+        ends: Ends,
+        /// Core radius over r, if there is a core.
+        core_radius: Option<f64>,
+    },
 }
 
 /// The shape of a ply, in one of the ways in which it is measured.
@@ -134,19 +152,22 @@ pub enum Lay {
 }
 
 impl Case {
-    pub(crate) fn of(spec: &Spec) -> Result<Self, SpecError> {
+    /// With the question what carries the strands, if `supports` asks for it or a core is given.
+    pub(crate) fn of(spec: &Spec, supports: bool) -> Result<Self, SpecError> {
         let strands = strands(spec, 2)?;
         let strand = strand::Strand::of(spec)?;
         let measure = strand.measure(spec);
         let strand_length = measure.strand_length()?;
         let twist = twist::of(&measure, strand_length)?;
         let lay = lay::of(&measure)?;
+        let ends = ends::of(&measure, strand_length)?;
+        let support = support::of(&measure, supports)?;
         let balance = match spec.get(Datum::Balance) {
             Some(Entry { value: Value::Balance(balance), .. }) => *balance,
             _ => Balance::default(),
         };
         let external_pressure = question::external_pressure(&measure, balance)?;
-        let question = question::of(&measure, twist, lay)?;
+        let question = question::of(&measure, twist, lay, ends, support)?;
         let title = match spec.get(Datum::Title) {
             Some(Entry { value: Value::Text(title), .. }) => Some(title.clone()),
             _ => None,
@@ -179,7 +200,7 @@ impl Case {
     /// ```
     #[must_use]
     pub fn locate(&self, error: &DomainError) -> SpecError {
-        self.origins.locate(error)
+        self.origins.displaced(self, error).unwrap_or_else(|| self.origins.locate(error))
     }
 }
 

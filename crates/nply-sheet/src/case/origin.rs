@@ -1,10 +1,12 @@
 //! From a quantity of the theory back to the datum it came from.
 
 use nply::DomainError;
+use nply::geometry::SpecialLays;
 
+use super::ends;
 use crate::key::Group;
 use crate::spec::{Entry, Spec};
-use crate::{Datum, ErrorKind, Place, SpecError};
+use crate::{Case, Datum, ErrorKind, Place, SpecError};
 
 /// Where each datum of a case was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,14 +35,17 @@ impl Origins {
             "force" => named(Datum::Force),
             "moment" => named(Datum::Moment),
             "external_pressure" => named(Datum::ExternalPressure),
+            "rotation" | "extension" => in_group(Group::Ends),
+            "core_radius" => in_group(Group::Support),
             "helical_angle" | "pitch_angle" | "lay_length" | "lay_ratio" | "radius_ratio" | "turns_per_length" => {
-                in_group(Group::Lay)
+                // the angle may be that of ends that are held
+                in_group(Group::Lay).or_else(|| in_group(Group::Ends))
             }
             _ => None,
         };
         let unit = match quantity {
             "helical_angle" | "pitch_angle" => " rad",
-            "lay_length" | "strand_length" => " strand radii",
+            "lay_length" | "strand_length" | "core_radius" => " strand radii",
             _ => "",
         };
         let Some(entry) = origin else {
@@ -55,6 +60,32 @@ impl Origins {
             format!("{said} is {quantity} = {}{unit}, and no ply has it: it must be {allowed}", short(value))
         };
         entry.error(ErrorKind::Domain, message)
+    }
+
+    /// The refusal of ends that are held where no ply can be, in the words of whoever wrote it.
+    pub(super) fn displaced(&self, case: &Case, error: &DomainError) -> Option<SpecError> {
+        let entry = self.entries.iter().find(|entry| entry.key.group == Some(Group::Ends))?;
+        let most = SpecialLays::of(case.strands).ok()?.zero_twist();
+        let limit = most.angle().sin() / most.radius_ratio();
+        let said = entry.said();
+        let message = match error.quantity {
+            "rotation" if error.value.abs() > limit => {
+                let written = ends::as_written(entry, limit, case.strand_radius, case.strand_length);
+                format!(
+                    "{said}: touching strands cannot take so many turns; the most that {} of them can take is {written}, either way",
+                    case.strands
+                )
+            }
+            "rotation" => format!(
+                "{said}: strands without turns lie straight and are no ply; give more, positive for a right-handed ply and negative for a left-handed one"
+            ),
+            "extension" if error.value >= 1.0 => {
+                format!("{said}: a ply is shorter than its strands; give a length less than theirs")
+            }
+            "extension" => format!("{said}: a ply of no length is none; give a length greater than 0"),
+            _ => return None,
+        };
+        Some(entry.error(ErrorKind::Domain, message))
     }
 }
 

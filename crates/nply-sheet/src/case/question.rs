@@ -3,8 +3,10 @@
 use nply::mechanics::{Balance, Load, Twist};
 
 use super::Question;
+use super::ends::{self, GivenEnds};
 use super::lay::GivenLay;
 use super::measure::Measure;
+use super::support::GivenSupport;
 use crate::spec::{Entry, Value};
 use crate::{Datum, ErrorKind, SpecError, Table};
 
@@ -13,6 +15,8 @@ pub(super) fn of(
     measure: &Measure<'_>,
     twist: Option<Twist>,
     lay: Option<GivenLay<'_>>,
+    ends: Option<GivenEnds<'_>>,
+    support: Option<GivenSupport<'_>>,
 ) -> Result<Question, SpecError> {
     let spec = measure.spec;
     let load = |datum| spec.get(datum).map(|entry| measure.dimensionless(entry)).transpose();
@@ -30,6 +34,17 @@ pub(super) fn of(
         );
         spec.missing(Datum::Pretwist, message)
     };
+    if let Some(support) = support {
+        support.check(measure, lay)?;
+        let ends = ends::with_loads(spec, ends, force, moment)?;
+        let twist = twist.ok_or_else(|| twist_missing(""))?;
+        return Ok(Question::Supported { twist, ends, core_radius: support.core_radius });
+    }
+    if let Some(ends) = ends {
+        held_alone(measure, ends, lay)?;
+        let ends = ends::with_loads(spec, Some(ends), force, moment)?;
+        return Ok(Question::Held { twist: twist.ok_or_else(|| twist_missing(""))?, ends });
+    }
     if let Some(separation) = spec.get(Datum::Separation)
         && separation.value == Value::Switch(true)
     {
@@ -74,6 +89,20 @@ pub(super) fn of(
             );
             Err(spec.missing(datum, message))
         }
+    }
+}
+
+/// What cannot be given beside ends that are held.
+fn held_alone(measure: &Measure<'_>, ends: GivenEnds<'_>, lay: Option<GivenLay<'_>>) -> Result<(), SpecError> {
+    let separation = measure.spec.get(Datum::Separation).filter(|entry| entry.value == Value::Switch(true));
+    let message = |why: &str, other: &Entry| {
+        let message = format!("{} {why}, and so does {}: remove one of them", ends.entry.said(), other.said());
+        Err(ends.entry.error(ErrorKind::Contradiction, message))
+    };
+    match (lay, separation) {
+        (Some(GivenLay { entry, .. }), _) => message("gives the shape of the ply", entry),
+        (None, Some(separation)) => message("finds the load that goes with it", separation),
+        (None, None) => Ok(()),
     }
 }
 

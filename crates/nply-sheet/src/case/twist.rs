@@ -14,17 +14,7 @@ use crate::{Datum, ErrorKind, SpecError};
 pub(super) fn of(measure: &Measure<'_>, strand_length: Option<f64>) -> Result<Option<Twist>, SpecError> {
     let Some(entry) = only_one(measure.spec, Group::Twist, "the twist")? else { return Ok(None) };
     // φ̄a = rotation·r/L
-    let over_length = |entry: &Entry, rotation: f64| match strand_length {
-        Some(length) => Ok(rotation / length),
-        None => Err(measure.spec.missing(
-            Datum::StrandLength,
-            format!(
-                "the strand length is missing, over which {} is spread: give {}",
-                entry.said(),
-                measure.spec.ask_for(Datum::StrandLength),
-            ),
-        )),
-    };
+    let over_length = |entry: &Entry, rotation: f64| measure.over_strand_length(entry, rotation, strand_length);
     let given = entry.number();
     let twist = match entry.key.datum {
         Datum::SurfaceAngle => {

@@ -7,31 +7,44 @@ use nply::mechanics::{Equilibrium, Stiffness};
 use super::Measure;
 
 /// The part of the report in which a quantity stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Section {
     /// Angles, radii, lay.
     Shape,
     /// Twist of the strands.
     Twist,
+    /// The ledger of link, of all strands together.
+    Link,
     /// End loads and what presses between strands.
     Loads,
+    /// How far loads, turns and pretwist can change.
+    Margin,
     /// Energies.
     Energy,
     /// What the ply does when loads change.
     Response,
+    /// When the ply buckles as a whole.
+    Buckling,
 }
 
 impl Section {
+    /// All, in the order of the report.
+    pub(super) const ALL: [Self; 8] =
+        [Self::Shape, Self::Twist, Self::Link, Self::Loads, Self::Margin, Self::Energy, Self::Response, Self::Buckling];
+
     /// The heading.
     #[must_use]
     pub const fn heading(self) -> &'static str {
         match self {
             Self::Shape => "Shape",
             Self::Twist => "Twist",
+            Self::Link => "Link, all strands together: put in = twist + writhe",
             Self::Loads => "Loads and contact",
+            Self::Margin => "Margin to separation and other limits",
             Self::Energy => "Energy per strand length",
             Self::Response => "Response to a change of load",
+            Self::Buckling => "Buckling of the ply as a whole, hinged ends: two bounds",
         }
     }
 }
@@ -84,7 +97,7 @@ pub const COLUMNS: &[Column] = {
         AnglePerForce, AnglePerMoment, Degrees, Force, ForcePerLength, Length, Moment, Number, PerLength, Percent,
         TurnsPerLength,
     };
-    use Section::{Energy, Loads, Response, Shape, Twist};
+    use Section::{Buckling, Energy, Link, Loads, Response, Shape, Twist};
     &[
         column(Shape, "helical_angle_deg", "helical angle (lay angle)", Degrees, |s| {
             Some(s.contact().angle().degrees())
@@ -96,7 +109,7 @@ pub const COLUMNS: &[Column] = {
             Some(1.0 / s.contact().lay_length())
         }),
         column(Shape, "turns_per_strand_length", "turns per strand length", TurnsPerLength, |s| {
-            Some(s.rotation().abs())
+            Some(s.rotation().abs() / TAU)
         }),
         column(Shape, "radius_ratio", "helix radius/strand radius", Number, |s| Some(s.contact().radius_ratio())),
         column(Shape, "ply_radius", "helix radius", Length, |s| Some(s.contact().radius_ratio())),
@@ -120,6 +133,9 @@ pub const COLUMNS: &[Column] = {
         column(Twist, "strand_twist_per_length", "strand twist per strand length", TurnsPerLength, |s| {
             Some(s.strand_twist() / TAU)
         }),
+        column(Link, "link_put_in", "put in, per strand length", TurnsPerLength, |s| Some(s.link().put_in)),
+        column(Link, "link_twist", "twist, per strand length", TurnsPerLength, |s| Some(s.link().twist)),
+        column(Link, "link_writhe", "writhe, per strand length", TurnsPerLength, |s| Some(s.link().writhe)),
         column(Loads, "force", "end force (tension +)", Force, |s| Some(s.load().force)),
         column(Loads, "moment", "end moment (right-handed +)", Moment, |s| Some(s.load().moment)),
         column(Loads, "resultant_pressure", "resultant pressure p", ForcePerLength, |s| Some(s.resultant_pressure())),
@@ -161,8 +177,93 @@ pub const COLUMNS: &[Column] = {
         column(Response, "rotation_per_moment_as_published", "", Number, |s| flexibility_published(s, 1, 1)),
         column(Response, "second_variation", "second variation of energy", Force, |s| s.second_variation()),
         column(Response, "balance_slope", "", Number, |s| Some(s.balance_slope())),
+        column(Buckling, "bending_stiffness_sliding", "bending stiffness, strands sliding", Measure::Stiffness, |s| {
+            Some(s.bending_bounds().sliding)
+        }),
+        column(Buckling, "bending_stiffness_locked", "bending stiffness, strands locked", Measure::Stiffness, |s| {
+            Some(s.bending_bounds().locked)
+        }),
     ]
 };
+
+/// One quantity that needs the length of the strands besides the state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LengthColumn {
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) section: Section,
+    pub(super) measure: Measure,
+    /// Its dimensionless value, from the state and L/r.
+    pub(super) value: fn(&Equilibrium, f64) -> Option<f64>,
+}
+
+/// Every number of a ply of known length, in the order of the report.
+pub(super) const LENGTH_COLUMNS: &[LengthColumn] = {
+    use Measure::{Force, Turns};
+    use Section::{Buckling, Link};
+    const fn column(
+        section: Section,
+        name: &'static str,
+        label: &'static str,
+        measure: Measure,
+        value: fn(&Equilibrium, f64) -> Option<f64>,
+    ) -> LengthColumn {
+        LengthColumn { name, label, section, measure, value }
+    }
+    &[
+        column(Link, "link_put_in_total", "put in, over the strand length", Turns, |s, length| {
+            Some(s.link().put_in * length)
+        }),
+        column(Link, "link_twist_total", "twist, over the strand length", Turns, |s, length| {
+            Some(s.link().twist * length)
+        }),
+        column(Link, "link_writhe_total", "writhe, over the strand length", Turns, |s, length| {
+            Some(s.link().writhe * length)
+        }),
+        column(Buckling, "buckling_thrust_sliding", "thrust it buckles at, strands sliding", Force, |s, length| {
+            Some(buckling_thrust(s, length)?[0])
+        }),
+        column(Buckling, "buckling_thrust_locked", "thrust it buckles at, strands locked", Force, |s, length| {
+            Some(buckling_thrust(s, length)?[1])
+        }),
+    ]
+};
+
+/// The two bounds on the thrust at which a state of strands of length L/r buckles as a whole, under its own moment.
+pub(super) fn buckling_thrust(state: &Equilibrium, strand_length: f64) -> Option<[f64; 2]> {
+    state.bending_bounds().buckling_thrust(strand_length * state.extension(), state.load().moment).ok()
+}
+
+/// A quantity with its value in each state.
+pub(super) struct Entry {
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) section: Section,
+    pub(super) measure: Measure,
+    pub(super) values: Vec<Option<f64>>,
+}
+
+/// Both lists, of these states, by section; without a length, what needs it has no value.
+pub(super) fn entries(states: &[Equilibrium], strand_length: Option<f64>) -> Vec<Entry> {
+    let of_state = COLUMNS.iter().map(|column| {
+        let Column { name, label, section, measure, .. } = *column;
+        Entry { name, label, section, measure, values: states.iter().map(|state| column.of(state)).collect() }
+    });
+    let of_length = LENGTH_COLUMNS.iter().map(|column| {
+        let LengthColumn { name, label, section, measure, value } = *column;
+        let values = states.iter().map(|state| written(value(state, strand_length?))).collect();
+        Entry { name, label, section, measure, values }
+    });
+    let mut entries: Vec<Entry> = of_state.chain(of_length).collect();
+    entries.sort_by_key(|entry| entry.section);
+    entries
+}
+
+/// What can be written as a number.
+pub(super) fn written(value: Option<f64>) -> Option<f64> {
+    // adding 0 takes the sign from a negative zero
+    value.filter(|value| value.is_finite()).map(|value| value + 0.0)
+}
 
 /// How much shorter the ply is than its strands, in percent: 100 (1 − cos θ), regular for small angles.
 fn retraction(state: &Equilibrium) -> f64 {
@@ -174,19 +275,19 @@ impl Column {
     /// The value, if there is one and it can be written as a number.
     #[must_use]
     pub fn of(&self, state: &Equilibrium) -> Option<f64> {
-        // adding 0 takes the sign from a negative zero
-        (self.value)(state).filter(|value| value.is_finite()).map(|value| value + 0.0)
+        written((self.value)(state))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::COLUMNS;
+    use super::entries;
 
     #[test]
     fn names_are_unique() {
-        for (i, column) in COLUMNS.iter().enumerate() {
-            assert!(COLUMNS[..i].iter().all(|other| other.name != column.name), "{}", column.name);
+        let entries = entries(&[], None);
+        for (i, entry) in entries.iter().enumerate() {
+            assert!(entries[..i].iter().all(|other| other.name != entry.name), "{}", entry.name);
         }
     }
 }

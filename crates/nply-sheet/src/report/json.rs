@@ -2,7 +2,9 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{COLUMNS, Report};
+use super::column::Entry;
+use super::verdict::Verdicts;
+use super::{Report, margin};
 use nply::Handedness;
 use nply::mechanics::Twist;
 
@@ -26,6 +28,9 @@ impl Report {
     /// such as a flexibility at a fold, is null.
     #[must_use]
     pub fn json(&self) -> String {
+        if let Some(supported) = &self.solution.supported {
+            return super::support::json(self, supported);
+        }
         let case = &self.case;
         let mut top = header();
         top.insert("balance".into(), json!(case.balance.name()));
@@ -44,20 +49,22 @@ impl Report {
         if let Some(scale) = case.scale {
             top.insert("bending_stiffness_N_m2".into(), json!(scale.bending_stiffness()));
         }
-        let units: Map<String, Value> = COLUMNS
+        let entries = self.entries();
+        let units: Map<String, Value> = entries
             .iter()
-            .filter_map(|column| Some((column.name.to_owned(), json!(column.measure.si(self.known())?.1))))
+            .filter_map(|entry| Some((entry.name.to_owned(), json!(entry.measure.si(self.known())?.1))))
             .collect();
         if !units.is_empty() {
             top.insert("si_units".into(), Value::Object(units));
         }
         top.insert("straight_holds".into(), json!(self.solution.straight));
-        top.insert("states".into(), self.solution.states.iter().map(|state| self.state(state)).collect());
+        let states = self.solution.states.iter().enumerate();
+        top.insert("states".into(), states.map(|(i, state)| self.state(i, state, &entries)).collect());
         top.insert("notes".into(), json!(self.notes));
         format!("{:#}\n", Value::Object(top))
     }
 
-    fn state(&self, state: &nply::mechanics::Equilibrium) -> Value {
+    fn state(&self, i: usize, state: &nply::mechanics::Equilibrium, entries: &[Entry]) -> Value {
         let mut object = Map::new();
         let sign = if state.handedness() == Handedness::Right { 1 } else { -1 };
         object.insert("handedness".into(), json!(sign));
@@ -65,16 +72,23 @@ impl Report {
         object.insert("separated".into(), json!(state.is_separated() && !super::at_separation(&self.case)));
         let verdict = state.stability().map(|_| super::text::verdict(state));
         object.insert("stability".into(), json!(verdict));
+        let held = Verdicts::of(state).named().map(|(name, _, verdict)| {
+            let name = name.to_owned();
+            (name, json!(verdict.map(|verdict| verdict.name())))
+        });
+        object.insert("stability_by_holding".into(), Value::Object(held.into_iter().collect()));
         object.insert("fold".into(), json!(state.is_fold()));
         object.insert("helical_angle".into(), json!(state.contact().helical_angle()));
         let mut si = Map::new();
-        for column in COLUMNS {
-            let value = column.of(state);
-            object.insert(column.name.into(), json!(value));
-            if let Some((factor, _)) = column.measure.si(self.known()) {
-                si.insert(column.name.into(), json!(value.map(|v| v * factor)));
+        for entry in entries {
+            let value = entry.values[i];
+            object.insert(entry.name.into(), json!(value));
+            if let Some((factor, _)) = entry.measure.si(self.known()) {
+                si.insert(entry.name.into(), json!(value.map(|v| v * factor)));
             }
         }
+        let margins = margin::json(&self.margins(state), self.known(), self.case.strand_length);
+        object.insert("margins".into(), margins);
         object.insert("flexibility".into(), json!(state.flexibility()));
         object.insert("flexibility_as_published".into(), json!(state.flexibility_as_published()));
         if !si.is_empty() {
@@ -85,7 +99,7 @@ impl Report {
 }
 
 /// What was given, by name.
-fn question(question: Question) -> Value {
+pub(super) fn question(question: Question) -> Value {
     let twist = |twist| match twist {
         Twist::Pretwist(value) => ("pretwist", value),
         Twist::StrandTwist(value) => ("strand_twist", value),
@@ -99,6 +113,14 @@ fn question(question: Question) -> Value {
         Question::PretwistAt { load, .. } => ("pretwist", vec![("force", load.force), ("moment", load.moment)]),
         Question::SeparationAtForce { twist: t, force } => ("separation", vec![twist(t), ("force", force)]),
         Question::SeparationAtMoment { twist: t, moment } => ("separation", vec![twist(t), ("moment", moment)]),
+        Question::Held { twist: t, ends } => {
+            (super::found(question).unwrap_or("states"), [vec![twist(t)], super::support::held(ends)].concat())
+        }
+        Question::Supported { twist: t, ends, core_radius } => {
+            let core = core_radius.map(|radius| ("core_radius", radius));
+            let given = [vec![twist(t)], super::support::held(ends), core.into_iter().collect()].concat();
+            ("supported_states", given)
+        }
     };
     let given: Map<String, Value> = given.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
     json!({ "find": find, "given": given })

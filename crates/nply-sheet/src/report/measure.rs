@@ -16,6 +16,8 @@ pub enum Measure {
     Percent,
     /// Degrees.
     Degrees,
+    /// Whole turns.
+    Turns,
     /// A length, in r.
     Length,
     /// Turns per length, in turns/r.
@@ -60,7 +62,7 @@ impl Measure {
     pub fn si(self, known: Known) -> Option<(f64, &'static str)> {
         let scale = known.scale;
         Some(match self {
-            Self::Number | Self::Percent | Self::Degrees => return None,
+            Self::Number | Self::Percent | Self::Degrees | Self::Turns => return None,
             Self::Length => (known.strand_radius?, "m"),
             Self::TurnsPerLength => (1.0 / known.strand_radius?, "turns/m"),
             Self::PerLength => (1.0 / known.strand_radius?, "1/m"),
@@ -77,7 +79,7 @@ impl Measure {
     #[must_use]
     pub fn reading(self, known: Known, units: &PreferredUnits, largest: f64) -> Reading {
         let dimension = match self {
-            Self::Number | Self::Percent | Self::Degrees => None,
+            Self::Number | Self::Percent | Self::Degrees | Self::Turns => None,
             Self::Length => Some(Dimension::LENGTH),
             Self::TurnsPerLength => Some(Dimension::ANGLE_PER_LENGTH),
             Self::PerLength => Some(Dimension::PER_LENGTH),
@@ -111,6 +113,7 @@ impl Measure {
             Self::Number => (1.0, ""),
             Self::Percent => (1.0, "%"),
             Self::Degrees => (1.0, "deg"),
+            Self::Turns => (1.0, "turns"),
             Self::Length => (1.0, "r"),
             Self::TurnsPerLength => (1.0, "turns/r"),
             Self::PerLength => (1.0, "1/r"),

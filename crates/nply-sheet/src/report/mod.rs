@@ -2,19 +2,31 @@
 
 mod column;
 mod csv;
+mod item;
 mod json;
 mod lays;
+mod locus;
+mod locus_picture;
+mod margin;
 mod measure;
 mod shape;
+mod support;
 mod text;
+mod trace;
+mod verdict;
 
 use nply::Handedness;
-use nply::mechanics::{Balance, Equilibrium};
+use nply::mechanics::{Balance, Ends, Equilibrium};
 
 pub use column::{COLUMNS, Column, Section};
 pub use lays::LaysReport;
+pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
 pub use shape::ShapeReport;
+pub(crate) use trace::data_of;
+pub use trace::{TraceReport, Walk};
+
+pub(crate) use csv::unit_suffix;
 
 use crate::{Case, Question, SpecError, solve::Solution};
 
@@ -57,6 +69,15 @@ impl Report {
     fn known(&self) -> Known {
         Known { scale: self.case.scale, strand_radius: self.case.strand_radius }
     }
+
+    fn entries(&self) -> Vec<column::Entry> {
+        column::entries(&self.solution.states, self.case.strand_length)
+    }
+
+    /// None on the verge of separation, which is where a margin ends.
+    fn margins(&self, state: &Equilibrium) -> margin::Margins {
+        if at_separation(&self.case) { margin::Margins::NONE } else { margin::Margins::of(state) }
+    }
 }
 
 /// The quantity a question finds besides the shape, by its column's name.
@@ -66,10 +87,18 @@ fn found(question: Question) -> Option<&'static str> {
         Question::MomentAt { .. } | Question::SeparationAtForce { .. } => Some("moment"),
         Question::ForceAt { .. } | Question::SeparationAtMoment { .. } => Some("force"),
         Question::PretwistAt { .. } => Some("pretwist"),
+        Question::Held { ends, .. } | Question::Supported { ends, .. } => match ends {
+            Ends::Loads(_) => None,
+            Ends::Rotation { .. } => Some("moment"),
+            Ends::Length { .. } => Some("force"),
+        },
     }
 }
 
 fn notes(case: &Case, solution: &Solution) -> Vec<String> {
+    if let Some(supported) = &solution.supported {
+        return support::notes(case, solution.straight, supported);
+    }
     let mut notes = Vec::new();
     if solution.states.is_empty() {
         notes.push("No state: no helical angle of either hand is in equilibrium with these data.".to_owned());
@@ -99,10 +128,14 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     }
     if solution.states.iter().any(|state| state.stability().is_some()) {
         notes.push(
-            "Stable means among uniform plies under dead end loads with the given twist held; buckling as a whole, local loops \
-             and the collapse of a hole are not covered."
+            "Stable means among uniform plies; the given twist is held, unless strand twist held is said. Where the ends cannot \
+             turn, or the length is held, closed contacts leave no uniform motion. Buckling as a whole, local loops and the \
+             collapse of a hole are not covered."
                 .to_owned(),
         );
+    }
+    if let Some(length) = case.strand_length {
+        notes.extend(buckling(&solution.states, length));
     }
     if case.balance == Balance::Radial && !solution.states.is_empty() {
         notes.push(
@@ -115,6 +148,22 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
         notes.extend(difference(case, &solution.states, others));
     }
     notes
+}
+
+/// Which touching states are pushed harder than a ply of this length bears as a whole.
+fn buckling(states: &[Equilibrium], strand_length: f64) -> Vec<String> {
+    let beyond = |state: &Equilibrium| {
+        let bounds = column::buckling_thrust(state, strand_length).filter(|_| !state.is_separated());
+        bounds.map_or(0, |bounds| bounds.iter().filter(|bound| -state.load().force > **bound).count())
+    };
+    let (some, all) = (numbers(states, |state| beyond(state) == 1), numbers(states, |state| beyond(state) == 2));
+    let said = |numbers: &[String], what: &str| {
+        (!numbers.is_empty()).then(|| format!("{} {what}", self::states(numbers).replacen("State", "In state", 1)))
+    };
+    let may = "the ply may buckle as a whole: its loads are beyond what it bears if its strands slide freely, not what it \
+               bears if they are locked.";
+    let does = "the ply buckles as a whole: its loads are beyond what it bears even if its strands cannot slide.";
+    [said(&some, may), said(&all, does)].into_iter().flatten().collect()
 }
 
 fn at_separation(case: &Case) -> bool {

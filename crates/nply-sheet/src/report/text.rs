@@ -2,7 +2,9 @@
 
 use core::fmt::Write as _;
 
-use super::{COLUMNS, Column, Known, Report, found};
+use super::column::Entry;
+use super::verdict::Verdicts;
+use super::{Known, Report, Section, found, margin};
 use crate::preferred::six_digits;
 use crate::{Case, PreferredUnits};
 use nply::Handedness;
@@ -28,6 +30,9 @@ impl Report {
     /// The report as an aligned table, with bold headings if `emphasis`.
     #[must_use]
     pub fn text(&self, emphasis: bool) -> String {
+        if let Some(supported) = &self.solution.supported {
+            return super::support::text(self, supported, emphasis);
+        }
         let emphasis = Emphasis(emphasis);
         let mut out = String::new();
         let _ = writeln!(out, "{}", emphasis.heading(&headline(&self.case)));
@@ -38,16 +43,18 @@ impl Report {
                 row("hand", "", states.iter().map(|s| hand(s.handedness()).to_owned())),
                 row("strands", "", states.iter().map(|s| self.touch(s).to_owned())),
             ];
-            if states.iter().any(|s| s.stability().is_some()) {
-                head.push(row("under dead loads", "", states.iter().map(|s| verdict(s).to_owned())));
+            let verdicts: Vec<_> = states.iter().map(|state| Verdicts::of(state).named()).collect();
+            for (i, (_, label, _)) in Verdicts::default().named().into_iter().enumerate() {
+                if verdicts.iter().any(|named| named[i].2.is_some()) {
+                    let word = |verdict: Option<Stability>| verdict.map_or("–", Stability::name).to_owned();
+                    head.push(row(label, "", verdicts.iter().map(|named| word(named[i].2))));
+                }
             }
             let mut parts = vec![("", head)];
-            for column in COLUMNS.iter().filter(|column| !column.label.is_empty()) {
-                let Some(row) = self.row(column) else { continue };
-                let heading = column.section.heading();
-                match parts.last_mut() {
-                    Some((last, rows)) if *last == heading => rows.push(row),
-                    _ => parts.push((heading, vec![row])),
+            for section in Section::ALL {
+                let rows = self.section(section);
+                if !rows.is_empty() {
+                    parts.push((section.heading(), rows));
                 }
             }
             lay_out(&mut out, &parts, &emphasis);
@@ -58,16 +65,29 @@ impl Report {
         out
     }
 
-    /// The row of a column; none for lengths per strand radius that repeat a pure number, or where no state has a value.
-    fn row(&self, column: &Column) -> Option<Row> {
+    /// The rows below a heading.
+    fn section(&self, section: Section) -> Vec<Row> {
         let states = &self.solution.states;
-        let repeats = matches!(column.name, "ply_radius" | "pretwist_per_length" | "strand_twist_per_length");
-        if repeats && column.measure.si(self.known()).is_none() {
+        if section == Section::Margin {
+            let margins: Vec<_> = states.iter().map(|state| self.margins(state)).collect();
+            return margin::rows(states, &margins, self.known(), &self.case.units, self.case.strand_length);
+        }
+        if section == Section::Buckling && self.case.strand_length.is_none() {
+            return Vec::new();
+        }
+        let entries = self.entries();
+        let shown = entries.iter().filter(|entry| entry.section == section && !entry.label.is_empty());
+        shown.filter_map(|entry| self.row(entry)).collect()
+    }
+
+    /// The row of a quantity; none for lengths per strand radius that repeat a pure number, or where no state has a value.
+    fn row(&self, entry: &Entry) -> Option<Row> {
+        let repeats = matches!(entry.name, "ply_radius" | "pretwist_per_length" | "strand_twist_per_length");
+        if repeats && entry.measure.si(self.known()).is_none() {
             return None;
         }
-        let values: Vec<Option<f64>> = states.iter().map(|state| column.of(state)).collect();
-        let mark = if found(self.case.question) == Some(column.name) { " (found)" } else { "" };
-        of_values(&format!("{}{mark}", column.label), column, &values, self.known(), &self.case.units)
+        let mark = if found(self.case.question) == Some(entry.name) { " (found)" } else { "" };
+        of_values(&format!("{}{mark}", entry.label), entry, self.known(), &self.case.units)
     }
 
     fn touch(&self, state: &Equilibrium) -> &'static str {
@@ -86,15 +106,10 @@ fn row(label: &str, unit: &str, cells: impl Iterator<Item = String>) -> Row {
 }
 
 /// A row of values in the reader's units; none if there is no value at all.
-fn of_values(
-    label: &str,
-    column: &Column,
-    values: &[Option<f64>],
-    known: Known,
-    units: &PreferredUnits,
-) -> Option<Row> {
+fn of_values(label: &str, entry: &Entry, known: Known, units: &PreferredUnits) -> Option<Row> {
+    let values = &entry.values;
     let largest = values.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let reading = column.measure.reading(known, units, largest);
+    let reading = entry.measure.reading(known, units, largest);
     let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * reading.factor));
     values.iter().any(Option::is_some).then(|| Row {
         label: label.to_owned(),
@@ -122,11 +137,15 @@ pub(super) const fn hand(handedness: Handedness) -> &'static str {
 
 /// Title, and what the whole report holds for.
 fn headline(case: &Case) -> String {
+    let gamma = six_digits(case.stiffness_ratio);
+    format!("{}{} strands, stiffness ratio {gamma}, {} balance", title(case), case.strands, case.balance.name())
+}
+
+/// The title in front of a headline, if there is one.
+pub(super) fn title(case: &Case) -> String {
     // one line, and no say in what the terminal does
     let plain = |title: &String| title.replace(|c: char| c.is_control(), " ");
-    let title = case.title.as_ref().map_or(String::new(), |title| format!("{}: ", plain(title)));
-    let gamma = six_digits(case.stiffness_ratio);
-    format!("{title}{} strands, stiffness ratio {gamma}, {} balance", case.strands, case.balance.name())
+    case.title.as_ref().map_or(String::new(), |title| format!("{}: ", plain(title)))
 }
 
 /// Labels to the left, numbers to the right, units between.

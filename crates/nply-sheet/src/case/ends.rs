@@ -1,0 +1,93 @@
+//! How the ply's ends are held, from whichever datum says so.
+
+use core::f64::consts::TAU;
+
+use nply::mechanics::{Ends, Load};
+
+use super::measure::Measure;
+use super::only_one;
+use crate::key::Group;
+use crate::preferred::six_digits;
+use crate::spec::{Entry, Spec, Value};
+use crate::{Datum, ErrorKind, Quantity, SpecError};
+
+/// What is held, and the datum that says so.
+#[derive(Clone, Copy)]
+pub(super) struct GivenEnds<'s> {
+    held: Held,
+    pub(super) entry: &'s Entry,
+}
+
+/// A displacement per strand length.
+#[derive(Clone, Copy)]
+enum Held {
+    /// a·d_m
+    Rotation(f64),
+    /// a·d_f
+    Extension(f64),
+}
+
+/// What is held, if anything is; `strand_length` is L/r.
+pub(super) fn of<'s>(measure: &Measure<'s>, strand_length: Option<f64>) -> Result<Option<GivenEnds<'s>>, SpecError> {
+    let Some(entry) = only_one(measure.spec, Group::Ends, "the way the ends are held")? else { return Ok(None) };
+    let given = entry.number();
+    let turn = if entry.is_measured() { 1.0 } else { TAU };
+    let over_length = |value: f64| measure.over_strand_length(entry, value, strand_length);
+    let held = match entry.key.datum {
+        Datum::PlyRotation => Held::Rotation(over_length(given)?),
+        Datum::PlyTurns => Held::Rotation(over_length(turn * given)?),
+        Datum::PlyTurnsPerStrandLength => Held::Rotation(turn * measure.dimensionless(entry)?),
+        Datum::PlyLength => Held::Extension(over_length(entry.positive(measure.dimensionless(entry)?)?)?),
+        _ => Held::Extension(entry.positive(given)?),
+    };
+    let (Held::Rotation(value) | Held::Extension(value)) = held;
+    entry.finite(value)?;
+    Ok(Some(GivenEnds { held, entry }))
+}
+
+/// What is given at the ends: dead loads (0 where absent), or a displacement and the load that does no work on it.
+pub(super) fn with_loads(
+    spec: &Spec,
+    ends: Option<GivenEnds<'_>>,
+    force: Option<f64>,
+    moment: Option<f64>,
+) -> Result<Ends, SpecError> {
+    let Some(GivenEnds { held, entry }) = ends else {
+        return Ok(Ends::Loads(Load { force: force.unwrap_or(0.0), moment: moment.unwrap_or(0.0) }));
+    };
+    let (found, held_so, ends) = match held {
+        Held::Rotation(rotation) => {
+            let ends = Ends::Rotation { rotation, force: force.unwrap_or(0.0) };
+            (Datum::Moment, "ends that cannot turn", ends)
+        }
+        Held::Extension(extension) => {
+            let ends = Ends::Length { extension, moment: moment.unwrap_or(0.0) };
+            (Datum::Force, "ends held at a distance", ends)
+        }
+    };
+    let Some(given) = spec.get(found) else { return Ok(ends) };
+    let message = format!(
+        "{} and {} cannot both be given: {held_so} take whatever {} they need, and that is found; remove one of them",
+        entry.said(),
+        given.said(),
+        given.key.name,
+    );
+    Err(given.error(ErrorKind::Contradiction, message))
+}
+
+/// A rotation r·rad per strand length in the way in which a datum was written, rounded towards zero, as `12.3 turns`; `radius` is r
+/// in m.
+pub(super) fn as_written(entry: &Entry, rotation: f64, radius: Option<f64>, strand_length: Option<f64>) -> String {
+    let whole = match entry.key.datum {
+        Datum::PlyTurnsPerStrandLength if entry.is_measured() => rotation / radius.unwrap_or(1.0),
+        Datum::PlyTurnsPerStrandLength => rotation,
+        _ => rotation * strand_length.unwrap_or(1.0),
+    };
+    // six digits may round up by half of the last
+    let down = whole * (1.0 - 5e-6);
+    match &entry.value {
+        Value::Quantity(Quantity::Measured { unit, .. }) => format!("{} {unit}", six_digits(unit.of_si(down))),
+        _ if entry.key.datum == Datum::PlyTurns => format!("{} turns", six_digits(down / TAU)),
+        _ => format!("{} turns per strand radius", six_digits(down / TAU)),
+    }
+}

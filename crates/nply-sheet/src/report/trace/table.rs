@@ -1,0 +1,205 @@
+//! A path as a table, as CSV and as JSON.
+
+use core::f64::consts::TAU;
+use core::fmt::Write as _;
+
+use nply::mechanics::{Contacts, End, Event, Holding, Stability, Station, Twist};
+use serde_json::{Map, Value, json};
+
+use super::words::{carried_by, ended, what};
+use super::{TraceReport, data_of};
+use crate::Case;
+use crate::report::csv::unit_suffix;
+use crate::report::item::{Item, Reader, item, numbers, of_hand, units};
+use crate::report::json::header;
+use crate::report::text::{Emphasis, Row, hand, lay_out, title};
+use crate::report::{Known, Measure};
+
+/// Every number of a station, in the order of the report.
+const STATION: &[Item<Station>] = {
+    use Measure::{Degrees, Force, ForcePerLength, Length, Moment, Number, TurnsPerLength};
+    &[
+        item("", "helical_angle_deg", "angle", Degrees, |s| Some(s.angle.degrees())),
+        item("", "radius_ratio", "R/r", Number, |s| Some(s.radius_ratio)),
+        item("", "extension", "length", Number, |s| Some(s.extension())),
+        item("", "rotation", "", Number, |s| Some(s.rotation())),
+        item("", "turns_per_strand_length", "", TurnsPerLength, |s| Some(s.rotation().abs() / TAU)),
+        item("", "curvature", "", Measure::PerLength, |s| Some(s.curvature())),
+        item("", "pretwist", "pretwist", Number, |s| Some(s.pretwist())),
+        item("", "strand_twist", "r u₃", Number, |s| Some(s.strand_twist())),
+        item("", "stiffness_ratio", "C/B", Number, |s| Some(s.stiffness_ratio)),
+        item("", "core_radius", "core", Length, |s| s.core_radius),
+        item("", "force", "force", Force, |s| Some(s.load.force)),
+        item("", "moment", "moment", Moment, |s| Some(s.load.moment)),
+        item("", "resultant_pressure", "", ForcePerLength, |s| Some(s.resultant_pressure)),
+        item("", "interstrand_pressure", "p₁", ForcePerLength, |s| Some(s.interstrand_pressure)),
+        item("", "core_pressure", "p_c", ForcePerLength, |s| s.core_radius.map(|_| s.core_pressure)),
+    ]
+};
+
+impl TraceReport {
+    /// The path as a table: its start, what happens on the way, its end.
+    #[must_use]
+    pub fn text(&self, emphasis: bool) -> String {
+        let Some(case) = self.cases.first() else { return String::new() };
+        let emphasis = &Emphasis(emphasis);
+        let reader = Reader { known: self.known(), units: &case.units, emphasis };
+        let mut out = String::new();
+        let contacts = match self.contacts {
+            Contacts::Unilateral => "contacts push only".to_owned(),
+            Contacts::Kept(balance) => format!("neighbours kept together, {} balance", balance.name()),
+        };
+        let _ = writeln!(out, "{}", emphasis.heading(&format!("{}{} strands, {contacts}", title(case), case.strands)));
+        let shown = self.shown();
+        if !shown.is_empty() {
+            lay_out(&mut out, &[("", self.table(&shown, &reader))], emphasis);
+        }
+        for note in &self.notes {
+            let _ = writeln!(out, "\n{note}");
+        }
+        out
+    }
+
+    /// One line for each of the stations shown; of the numbers those that change on the way.
+    fn table(&self, shown: &[(String, Station)], reader: &Reader<'_>) -> Vec<Row> {
+        const ALWAYS: [&str; 5] = ["helical_angle_deg", "radius_ratio", "force", "moment", "interstrand_pressure"];
+        let all: Vec<Station> = shown.iter().map(|(_, station)| *station).collect();
+        let changes = |item: &Item<Station>| all.iter().any(|station| item.of(station) != item.of(&all[0]));
+        let of_core = |item: &Item<Station>| item.name == "core_pressure" && all[0].core_radius.is_some();
+        let kept = |item: &&Item<Station>| {
+            let name = item.name;
+            !item.label.is_empty()
+                && (ALWAYS.contains(&name)
+                    || of_core(item)
+                    || ["pretwist", "strand_twist", "stiffness_ratio", "core_radius"].contains(&name)
+                        && self.given(name)
+                        && changes(item)
+                    || name == "extension" && self.legs.iter().any(|leg| leg.holding == Holding::Length))
+        };
+        let columns: Vec<(&str, Row)> =
+            STATION.iter().filter(kept).filter_map(|item| Some((item.label, reader.row(item, "", &all)?))).collect();
+        let row = |label: String, first: [&str; 4], cells: &dyn Fn(&(&str, Row)) -> String| Row {
+            label,
+            unit: first[0].to_owned(),
+            cells: first[1..].iter().map(|word| (*word).to_owned()).chain(columns.iter().map(cells)).collect(),
+        };
+        let mut rows = vec![
+            row("leg".to_owned(), ["share", "hand", "carried by", "stability"], &|(label, _)| (*label).to_owned()),
+            row(String::new(), [""; 4], &|(_, column)| column.unit.clone()),
+        ];
+        for (i, (label, station)) in shown.iter().enumerate() {
+            let share = format!("{:.4}", station.along);
+            let verdict = station.stability.map_or("–", Stability::name);
+            let first = [share.as_str(), hand(station.handedness), carried_by(station), verdict];
+            rows.push(row(label.clone(), first, &|(_, column)| column.cells[i].clone()));
+        }
+        rows
+    }
+
+    /// Whether a number is one of the data, and not found.
+    fn given(&self, name: &str) -> bool {
+        let held = |case: &Case| data_of(case).is_ok_and(|data| matches!(data.twist, Twist::StrandTwist(_)));
+        let strand_twist = self.cases.first().is_some_and(held);
+        match name {
+            "pretwist" => !strand_twist,
+            "strand_twist" => strand_twist,
+            _ => true,
+        }
+    }
+
+    /// Start, events and end, each with its leg and a word for it.
+    fn shown(&self) -> Vec<(String, Station)> {
+        let mut shown = Vec::new();
+        for (i, leg) in self.legs.iter().enumerate() {
+            let number = i + 1;
+            if let (0, Some(start)) = (i, leg.trace.stations.first()) {
+                shown.push((format!("{number} start"), *start));
+            }
+            shown.extend(leg.trace.events.iter().map(|event| (format!("{number} {}", what(event)), event.station)));
+            if let (true, Some(last)) = (leg.trace.end != End::Arrival, leg.trace.stations.last()) {
+                shown.push((format!("{number} {}", ended(leg.trace.end)), *last));
+            }
+        }
+        shown
+    }
+
+    /// Every station as CSV.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let known = self.known();
+        let si: Vec<_> = STATION.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
+        let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
+        let mut head: Vec<String> =
+            ["leg", "along", "handedness", "lay", "support", "stability"].map(String::from).into();
+        head.extend(STATION.iter().map(|item| item.name.to_owned()));
+        head.extend(si.iter().map(|(item, (_, unit))| format!("{}_{}", item.name, unit_suffix(unit))));
+        let mut out = head.join(",") + "\n";
+        for (leg, station) in self.stations() {
+            let mut cells = vec![
+                leg.to_string(),
+                number(Some(station.along)),
+                station.handedness.sign().to_string(),
+                station.handedness.lay_letter().to_string(),
+                station.support.name().to_owned(),
+                station.stability.map_or("", Stability::name).to_owned(),
+            ];
+            cells.extend(STATION.iter().map(|item| number(item.of(station))));
+            cells.extend(si.iter().map(|(item, (factor, _))| number(item.of(station).map(|value| value * factor))));
+            out += &(cells.join(",") + "\n");
+        }
+        out
+    }
+
+    /// Every station and event as JSON.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let known = self.known();
+        let mut top = header();
+        if let Some(case) = self.cases.first() {
+            if let Some(title) = &case.title {
+                top.insert("title".into(), json!(title));
+            }
+            top.insert("strands".into(), json!(case.strands));
+            top.insert("balance".into(), json!(case.balance.name()));
+        }
+        top.insert("contacts".into(), json!(if self.contacts == Contacts::Unilateral { "unilateral" } else { "kept" }));
+        let units: Map<String, Value> = units(STATION, known).collect();
+        if !units.is_empty() {
+            top.insert("si_units".into(), Value::Object(units));
+        }
+        let station = |station: &Station| object(station, known);
+        top.insert("starts".into(), self.starts.iter().map(station).collect());
+        top.insert("start".into(), json!(self.starts.get(self.chosen).map(|_| self.chosen + 1)));
+        let legs = self.legs.iter().map(|leg| {
+            let event = |event: &Event| {
+                let mut object = Map::new();
+                object.insert("event".into(), json!(event.mark.name()));
+                object.insert("before_station".into(), json!(event.before));
+                object.insert("station".into(), station(&event.station));
+                let jump = event.jump.as_ref().map(|to| to.iter().map(station).collect::<Vec<_>>());
+                object.insert("jump".into(), json!(jump));
+                Value::Object(object)
+            };
+            json!({
+                "holding": leg.holding.name(),
+                "end": leg.trace.end.name(),
+                "events": leg.trace.events.iter().map(event).collect::<Vec<_>>(),
+                "stations": leg.trace.stations.iter().map(station).collect::<Vec<_>>(),
+            })
+        });
+        top.insert("legs".into(), legs.collect());
+        top.insert("notes".into(), json!(self.notes));
+        format!("{:#}\n", Value::Object(top))
+    }
+}
+
+fn object(station: &Station, known: Known) -> Value {
+    let mut object = Map::new();
+    object.insert("along".into(), json!(station.along));
+    object.extend(of_hand(station.handedness));
+    object.insert("support".into(), json!(station.support.name()));
+    object.insert("separated".into(), json!(station.is_separated()));
+    object.insert("stability".into(), json!(station.stability.map(Stability::name)));
+    object.insert("helical_angle".into(), json!(station.angle.radians()));
+    Value::Object(numbers(object, STATION, station, known))
+}

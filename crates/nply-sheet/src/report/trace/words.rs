@@ -1,0 +1,74 @@
+//! States and events on a path in a few words.
+
+use nply::Handedness;
+use nply::mechanics::{End, Event, Mark, Station, Support};
+
+/// A state in a few words.
+pub(super) fn brief(station: &Station) -> String {
+    if station.angle.sin() == 0.0 {
+        return "straight".to_owned();
+    }
+    let side = if station.handedness == Handedness::Right { "right" } else { "left" };
+    let how = match station.support {
+        Support::Neighbours if station.is_separated() => ", p < 0",
+        Support::Neighbours => "",
+        Support::Core => " on the core",
+        Support::Both => " touching on the core",
+        Support::Free => " free",
+    };
+    format!("{side} {:.3}°{how}", station.angle.degrees())
+}
+
+pub(super) fn carried_by(station: &Station) -> &'static str {
+    match station.support {
+        Support::Neighbours if station.is_separated() => "pulling",
+        Support::Neighbours => "neighbours",
+        Support::Core => "core",
+        Support::Both => "both",
+        Support::Free => "none",
+    }
+}
+
+/// An event in a few words.
+pub(super) fn what(event: &Event) -> String {
+    let words = match event.mark {
+        Mark::Arrival => "arrives",
+        Mark::Fold => "fold",
+        Mark::ContactChange(Support::Free) => "opens",
+        Mark::ContactChange(Support::Neighbours) => "on neighbours alone",
+        Mark::ContactChange(Support::Core) => "on the core alone",
+        Mark::ContactChange(Support::Both) => "neighbours and core",
+        Mark::Separation => "p = 0",
+        Mark::Diagonal => "45°",
+        Mark::MostTurns => "most turns",
+        Mark::CurvatureLimit => "curvature limit",
+        Mark::Straight => "straight",
+    };
+    if event.jump.is_some() { format!("{words}, jump") } else { words.to_owned() }
+}
+
+pub(super) const fn ended(end: End) -> &'static str {
+    match end {
+        End::Arrival => "arrives",
+        End::LeftWindow => "back to start",
+        End::FlatRings => "flat rings",
+        End::Apart => "apart",
+        End::UnboundedLoad => "no end of load",
+        End::Stalled => "stops",
+    }
+}
+
+pub(super) const fn why(end: End) -> &'static str {
+    match end {
+        End::Arrival => "it arrives",
+        End::LeftWindow => {
+            "after a fold the branch leads back to where the leg began, and beyond; the far end cannot be reached along it"
+        }
+        End::FlatRings => "the strands come to lie as flat rings, 90° to the axis",
+        End::Apart => "the strands lose each other and open without bound",
+        End::UnboundedLoad => {
+            "the load that holds the displacement grows without bound, as no more turns or no shorter ply can be had"
+        }
+        End::Stalled => "the branch could not be followed further",
+    }
+}

@@ -1,0 +1,68 @@
+//! What changes: the legs of a path, the rectangle of a map.
+
+use crate::key::Group;
+use crate::spec::{Entry, Spec};
+use crate::{Case, Datum, ErrorKind, SpecError};
+
+impl Spec {
+    /// The beginning of a path and the end of each of its legs: `[[path]]` of the file, or `leg` alone where it is given.
+    ///
+    /// A leg changes what it names; what it does not name stays as it is. A rotation that is held takes the place of the moment, a
+    /// length that of the force, and the other way round.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`Spec::check`], and where there is no leg.
+    ///
+    /// ```
+    /// use nply_sheet::{Question, Spec};
+    /// let text = "ply.strands = 3\nstrand.stiffness_ratio = 0.75\ntwist.pretwist = -0.2\n\
+    ///     [[path]]\nload.force = 1\n[[path]]\nload.moment = -3\n";
+    /// let cases = Spec::from_toml("ply.toml", text)?.check_path(None)?;
+    /// let Question::States { load, .. } = cases[2].question else { unreachable!() };
+    /// assert_eq!((cases.len(), load.force, load.moment), (3, 1.0, -3.0));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_path(&self, leg: Option<&Self>) -> Result<Vec<Case>, SpecError> {
+        let legs: Vec<&Self> = match leg {
+            Some(leg) => vec![leg],
+            None => self.legs.iter().collect(),
+        };
+        if legs.is_empty() {
+            let message = "the path is missing: say where it leads, by --to-force, --to-moment, --to-pretwist and the like, or by \
+                           [[path]] in the file";
+            return Err(SpecError::new(ErrorKind::Missing, self.head(), message));
+        }
+        let mut here = self.clone();
+        let mut cases = vec![here.check()?];
+        for leg in legs {
+            here = here.onward(leg);
+            cases.push(here.check()?);
+        }
+        Ok(cases)
+    }
+
+    /// This description with a corner of a study laid over it.
+    pub(crate) fn onward(&self, corner: &Self) -> Self {
+        let mut merged = self.overridden_by(corner);
+        let named = |datum| corner.get(datum).is_some();
+        let turns = |entry: &Entry| {
+            matches!(entry.key.datum, Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength)
+        };
+        let ends = |spec: &Self| spec.entries.iter().find(|entry| entry.key.group == Some(Group::Ends)).cloned();
+        // of load and displacement the one that is named last is given, and the other found
+        match (ends(corner), ends(self)) {
+            (Some(held), _) => {
+                let found = if turns(&held) { Datum::Moment } else { Datum::Force };
+                merged.entries.retain(|entry| entry.key.datum != found || named(found));
+            }
+            (None, Some(held)) => {
+                let freed = if turns(&held) { Datum::Moment } else { Datum::Force };
+                if named(freed) {
+                    merged.entries.retain(|entry| entry.key.group != Some(Group::Ends));
+                }
+            }
+            (None, None) => {}
+        }
+        merged
+    }
+}

@@ -1,0 +1,122 @@
+//! Columns and what stands in them.
+
+/// One column's head.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Column {
+    /// Its name, unique in its table.
+    pub name: String,
+    /// What stands in it.
+    pub kind: Kind,
+    /// The unit of its numbers; empty for plain numbers and for what is no number.
+    pub unit: String,
+}
+
+impl Column {
+    /// A column without a unit.
+    #[must_use]
+    pub fn new(name: impl Into<String>, kind: Kind) -> Self {
+        Self { name: name.into(), kind, unit: String::new() }
+    }
+
+    /// The same with a unit. Parquet keeps it beside the column (field metadata `unit`); CSV has no place for it.
+    #[must_use]
+    pub fn with_unit(mut self, unit: impl Into<String>) -> Self {
+        self.unit = unit.into();
+        self
+    }
+}
+
+/// What stands in a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Doubles.
+    Float,
+    /// Integers of 64 bits, with sign.
+    Integer,
+    /// `true` or `false`.
+    Boolean,
+    /// Text.
+    Text,
+}
+
+impl Kind {
+    /// What stands in such a column, in the plural.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Float => "floating-point numbers",
+            Self::Integer => "integers",
+            Self::Boolean => "truth values",
+            Self::Text => "texts",
+        }
+    }
+}
+
+/// A stretch of one column; `None` is an empty cell.
+///
+/// ```
+/// use nply_sheet::table::Values;
+/// assert_eq!(Values::from(vec![1.5, 2.5]), Values::Float(vec![Some(1.5), Some(2.5)]));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Values {
+    /// For [`Kind::Float`]. NaN is a number like others, not an empty cell.
+    Float(Vec<Option<f64>>),
+    /// For [`Kind::Integer`].
+    Integer(Vec<Option<i64>>),
+    /// For [`Kind::Boolean`].
+    Boolean(Vec<Option<bool>>),
+    /// For [`Kind::Text`].
+    Text(Vec<Option<String>>),
+}
+
+impl Values {
+    /// The kind of column these can stand in.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::Float(_) => Kind::Float,
+            Self::Integer(_) => Kind::Integer,
+            Self::Boolean(_) => Kind::Boolean,
+            Self::Text(_) => Kind::Text,
+        }
+    }
+
+    /// The number of cells.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Float(cells) => cells.len(),
+            Self::Integer(cells) => cells.len(),
+            Self::Boolean(cells) => cells.len(),
+            Self::Text(cells) => cells.len(),
+        }
+    }
+
+    /// Whether there is no cell.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+macro_rules! values_from {
+    ($($kind:ident($cell:ty)),*) => { $(
+        impl From<Vec<Option<$cell>>> for Values {
+            fn from(cells: Vec<Option<$cell>>) -> Self {
+                Self::$kind(cells)
+            }
+        }
+
+        impl From<Vec<$cell>> for Values {
+            fn from(cells: Vec<$cell>) -> Self {
+                Self::$kind(cells.into_iter().map(Some).collect())
+            }
+        }
+    )* };
+}
+
+values_from!(Float(f64), Integer(i64), Boolean(bool), Text(String));
