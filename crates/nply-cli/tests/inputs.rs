@@ -8,7 +8,7 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use command::{Answer, call, command, json, root, states};
+use command::{Answer, call, command, json, out, root, states};
 
 /// Drawer and exit status.
 const DRAWERS: [(&str, i32); 5] =
@@ -27,14 +27,49 @@ fn files(drawer: &str) -> Vec<String> {
     names
 }
 
+/// What a file asks for: a path, a map, or the states.
+fn command_of(file: &str) -> &'static str {
+    // the one that is not text is no study
+    let text = fs::read(root().join(file)).unwrap();
+    let text = String::from_utf8_lossy(&text).into_owned();
+    match () {
+        () if text.contains("\n[[path]]\n") => "trace",
+        () if text.contains("\n[map]\n") => "map",
+        () => "solve",
+    }
+}
+
+/// Whether a study finds anything; one that does not says so.
+fn has_states(command: &str, file: &str) -> bool {
+    if command == "map" {
+        let table = out(&["map", file]);
+        let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
+        let head = rows.next().unwrap();
+        let count = head.iter().position(|name| *name == "states").unwrap();
+        let (empty, found): (Vec<_>, Vec<_>) = rows.partition(|row| row[count] == "0");
+        assert!(empty.iter().all(|row| row[count + 1..].iter().all(|cell| cell.is_empty())), "{file}: {table}");
+        return !found.is_empty();
+    }
+    let report = json(&["trace", file, "--json"]);
+    let found = !report["starts"].as_array().unwrap().is_empty();
+    assert_eq!(out(&["trace", file]).contains("No state to start from: "), !found, "{file}");
+    assert_eq!(report["legs"].as_array().unwrap().is_empty(), !found, "{file}");
+    found
+}
+
 #[test]
 fn every_input_ends_as_its_drawer_says() {
     for (drawer, status) in DRAWERS {
         for file in files(drawer) {
-            let Answer { code, out, err } = call(&["solve", &file]);
+            let command = command_of(&file);
+            let Answer { code, out, err } = call(&[command, &file]);
             assert_eq!(code, status, "{file}: {err}");
             if status == 0 {
                 assert!(err.is_empty() && !out.is_empty(), "{file}: {err}");
+                if command != "solve" {
+                    assert_eq!(has_states(command, &file), drawer == "ok", "{file}: {out}");
+                    continue;
+                }
                 let report = json(&["solve", &file, "--json"]);
                 assert_eq!(states(&report).is_empty(), drawer == "no_equilibrium", "{file}: {out}");
                 let says_so = |text: &str| text.contains("No state: ");

@@ -38,7 +38,7 @@ pub use report::{
     AngleLine, COLUMNS, Column, Known, LaysReport, LocusReport, Measure, Reading, Report, Section, ShapeReport,
     SpecialPoint, TraceReport, Walk,
 };
-pub use solve::{Solution, Supported};
+pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;
 pub use unit::Unit;
 

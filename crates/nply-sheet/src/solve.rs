@@ -1,7 +1,7 @@
 //! From the case to its states.
 
 use nply::geometry::{Contact, HelicalAngle};
-use nply::mechanics::{Balance, Ends, Equilibrium, Ply, SupportedState, Twist, Wedge};
+use nply::mechanics::{Balance, Ends, Equilibrium, Load, Ply, Support, SupportedState, Twist, Wedge};
 use nply::{DomainError, Handedness};
 
 use crate::{Case, Lay, Question};
@@ -29,10 +29,49 @@ pub struct Supported {
     /// The loads under which neighbours and core both carry, right-handed first; empty without a core, or where touching strands
     /// cannot lie on it.
     pub wedges: Vec<Wedge>,
-    /// Where touching strands that are clear of the core open under the force given; the moment is found.
-    pub openings_at_force: Vec<Equilibrium>,
-    /// Where they open under the moment given; the force is found.
-    pub openings_at_moment: Vec<Equilibrium>,
+    /// Where touching strands that are clear of the core part, and where strands lift off the core, under the force given; the moment is
+    /// found.
+    pub openings_at_force: Vec<Opening>,
+    /// The same under the moment given; the force is found.
+    pub openings_at_moment: Vec<Opening>,
+}
+
+/// Where a contact just stops pressing, and nothing else carries the strands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Opening {
+    /// What lets go: [`Support::Neighbours`] or [`Support::Core`].
+    pub lets_go: Support,
+    /// Which way the ply winds.
+    pub handedness: Handedness,
+    /// θ.
+    pub angle: HelicalAngle,
+    /// ρ = R/r.
+    pub radius_ratio: f64,
+    /// f and m.
+    pub load: Load,
+}
+
+impl Opening {
+    fn of_neighbours(state: &Equilibrium) -> Self {
+        Self {
+            lets_go: Support::Neighbours,
+            handedness: state.handedness(),
+            angle: state.contact().angle(),
+            radius_ratio: state.contact().radius_ratio(),
+            load: state.load(),
+        }
+    }
+
+    fn of_core(state: &SupportedState) -> Self {
+        Self {
+            lets_go: Support::Core,
+            handedness: state.handedness(),
+            angle: state.angle(),
+            radius_ratio: state.radius_ratio(),
+            load: state.load(),
+        }
+    }
 }
 
 impl Lay {
@@ -129,22 +168,32 @@ impl Supported {
     fn of(ply: &Ply, twist: Twist, ends: Ends, core_radius: Option<f64>) -> Result<Self, DomainError> {
         let wedges = core_radius.map(|core| ply.wedges(twist, core)).transpose()?.flatten();
         // a core in the way takes the place of the neighbours before these part
-        let clear = |states: Vec<Equilibrium>| -> Vec<Equilibrium> {
-            let least = 1.0 + core_radius.unwrap_or(0.0);
-            states.into_iter().filter(|state| state.contact().radius_ratio() >= least).collect()
+        let least = 1.0 + core_radius.unwrap_or(0.0);
+        let openings = |parted: Vec<Equilibrium>, lifted: Vec<SupportedState>| -> Vec<Opening> {
+            let clear = parted.iter().filter(|state| state.contact().radius_ratio() >= least);
+            clear.map(Opening::of_neighbours).chain(lifted.iter().map(Opening::of_core)).collect()
         };
         let (force, moment) = match ends {
             Ends::Loads(load) => (Some(load.force), Some(load.moment)),
             Ends::Rotation { force, .. } => (Some(force), None),
             Ends::Length { moment, .. } => (None, Some(moment)),
         };
-        let at_force = force.map(|force| ply.separation_at_force(twist, force)).transpose()?;
-        let at_moment = moment.map(|moment| ply.separation_at_moment(twist, moment)).transpose()?;
+        let lift = |lifted: &dyn Fn(f64) -> Result<Vec<SupportedState>, DomainError>| {
+            core_radius.map_or(Ok(Vec::new()), lifted)
+        };
+        let at_force = |force| -> Result<Vec<Opening>, DomainError> {
+            let lifted = lift(&|core| ply.lift_off_at_force(twist, force, core))?;
+            Ok(openings(ply.separation_at_force(twist, force)?, lifted))
+        };
+        let at_moment = |moment| -> Result<Vec<Opening>, DomainError> {
+            let lifted = lift(&|core| ply.lift_off_at_moment(twist, moment, core))?;
+            Ok(openings(ply.separation_at_moment(twist, moment)?, lifted))
+        };
         Ok(Self {
             states: ply.supported_states(twist, ends, core_radius)?,
             wedges: wedges.map(Vec::from).unwrap_or_default(),
-            openings_at_force: clear(at_force.unwrap_or_default()),
-            openings_at_moment: clear(at_moment.unwrap_or_default()),
+            openings_at_force: force.map_or(Ok(Vec::new()), at_force)?,
+            openings_at_moment: moment.map_or(Ok(Vec::new()), at_moment)?,
         })
     }
 }

@@ -77,8 +77,10 @@ pub struct Spec {
 pub(crate) struct MapSpec {
     pub(crate) from: Spec,
     pub(crate) to: Spec,
-    pub(crate) columns: Option<f64>,
-    pub(crate) rows: Option<f64>,
+    /// Points across, and where that is said.
+    pub(crate) columns: Option<(f64, Place)>,
+    /// Points up, likewise.
+    pub(crate) rows: Option<(f64, Place)>,
     pub(crate) place: Place,
 }
 
@@ -428,7 +430,8 @@ impl MapSpec {
                         let message = format!("`{written}`: what is wanted is a whole number, such as 200");
                         return Err(SpecError::new(ErrorKind::WrongType, place(value.span()), message).of_key(written));
                     };
-                    *(if written == "rows" { &mut map.rows } else { &mut map.columns }) = Some(count);
+                    *(if written == "rows" { &mut map.rows } else { &mut map.columns }) =
+                        Some((count, place(value.span())));
                 }
                 _ => {
                     let message =

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
 
-use nply_sheet::{Case, ErrorKind, Spec, SpecError};
+use nply_sheet::{ErrorKind, Spec, SpecError, TraceReport, Walk};
 
 fn drawer(name: &str) -> Vec<(String, String)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/inputs").join(name);
@@ -25,9 +25,17 @@ fn drawer(name: &str) -> Vec<(String, String)> {
     files.into_iter().map(read).collect()
 }
 
-fn case(name: &str, text: &str) -> Result<Case, SpecError> {
+/// Understood as the file asks: a path is walked, a map laid out; what else is in it is understood in any case.
+fn case(name: &str, text: &str) -> Result<(), SpecError> {
     assert!(text.starts_with("# "), "{name} must say in its first line what is the matter");
-    Spec::from_toml(name, text)?.check()
+    let spec = Spec::from_toml(name, text)?;
+    if text.contains("\n[[path]]\n") {
+        return TraceReport::of(spec.check_path(None)?, Walk::default()).map(drop);
+    }
+    if text.contains("\n[map]\n") {
+        return spec.check_map(None).map(drop);
+    }
+    spec.check().map(drop)
 }
 
 #[test]

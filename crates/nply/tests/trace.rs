@@ -237,3 +237,29 @@ fn an_opened_ply_under_dead_loads_runs_away() {
     assert!(parted.iter().any(|s| (s.load().force - opened.station.load.force).abs() < 1e-10));
     assert_eq!(opened.jump.as_deref(), Some(&[][..]));
 }
+
+/// Two strands past 45°, pulled: the force rises to its greatest value at the corner where their radius begins to grow, and the branch turns
+/// back there in a sharp point, on to line contact.
+#[test]
+fn two_strands_get_round_their_corner() {
+    for (gamma, pretwist, f, m, reach) in [
+        (0.5, -0.410_483_857_658_952_96, 0.527_430_471_786_031_1, 0.0, 1.643_732_577_936_022_6),
+        (0.5, 0.316_882, 0.0, -0.033_924, 1.548_464),
+    ] {
+        let path = Path::new(
+            2,
+            data(gamma, pretwist, loads(f, m)),
+            data(gamma, pretwist, loads(f + reach, m)),
+            Contacts::Kept(Balance::Contact),
+        )
+        .unwrap();
+        let mut turned = 0;
+        for start in path.starts().unwrap() {
+            let trace = path.trace(&start, &Route { window: (-2.0, 3.0), ..Route::default() }).unwrap();
+            assert!(trace.end != End::Stalled, "{start:?}");
+            let at_corner = |event: &&nply::mechanics::Event| (event.station.angle.degrees() - 45.0).abs() < 1e-9;
+            turned += trace.events.iter().filter(at_corner).filter(|event| event.mark == Mark::Fold).count();
+        }
+        assert!(turned >= 1, "{gamma} {pretwist}");
+    }
+}

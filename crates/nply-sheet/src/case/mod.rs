@@ -202,6 +202,11 @@ impl Case {
     pub fn locate(&self, error: &DomainError) -> SpecError {
         self.origins.displaced(self, error).unwrap_or_else(|| self.origins.locate(error))
     }
+
+    /// A refusal of what goes with no study, at the first datum of those wanted, whose words begin the message.
+    pub(crate) fn refuse(&self, wanted: impl Fn(&Entry) -> bool, message: impl FnOnce(&str) -> String) -> SpecError {
+        self.origins.refuse(wanted, message)
+    }
 }
 
 /// A ply of which only the shape is asked: what `nply contact` needs. Twist, load and stiffnesses may be written, and are not

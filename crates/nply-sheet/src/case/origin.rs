@@ -62,6 +62,14 @@ impl Origins {
         entry.error(ErrorKind::Domain, message)
     }
 
+    /// A refusal said at the first datum of those wanted, or at the head of the input where there is none.
+    pub(super) fn refuse(&self, wanted: impl Fn(&Entry) -> bool, message: impl FnOnce(&str) -> String) -> SpecError {
+        match self.entries.iter().find(|entry| wanted(entry)) {
+            Some(entry) => entry.error(ErrorKind::Contradiction, message(&entry.said())),
+            None => SpecError::new(ErrorKind::Contradiction, self.head.clone(), message("the question")),
+        }
+    }
+
     /// The refusal of ends that are held where no ply can be, in the words of whoever wrote it.
     pub(super) fn displaced(&self, case: &Case, error: &DomainError) -> Option<SpecError> {
         let entry = self.entries.iter().find(|entry| entry.key.group == Some(Group::Ends))?;

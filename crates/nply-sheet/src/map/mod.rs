@@ -71,7 +71,8 @@ impl Spec {
         let missing = || {
             let message = "the rectangle is missing: say from where to where two data run, such as --from-force -2 --to-force 2 \
                            --from-moment -3 --to-moment 3, or by `from` and `to` in [map]";
-            SpecError::new(ErrorKind::Missing, self.head(), message)
+            let place = given.map_or_else(|| self.head(), |map: &MapSpec| map.place.clone());
+            SpecError::new(ErrorKind::Missing, place, message)
         };
         let to = flags.to.or_else(|| given.map(|map| map.to.clone())).ok_or_else(missing)?;
         let from = flags.from.or_else(|| given.map(|map| map.from.clone())).unwrap_or_else(|| to.without_data());
@@ -94,19 +95,20 @@ impl Spec {
             data_of(&corner.onward(&one(across)).check()?)?,
             data_of(&corner.onward(&one(up)).check()?)?,
         );
-        let points = |flag: Option<u32>, file: Option<f64>, name: &'static str| {
-            let count = flag.map(f64::from).or(file).unwrap_or(f64::from(POINTS));
+        type Given = Option<(f64, crate::Place)>;
+        let points = |flag: Option<u32>, file: Given, name: &'static str| {
+            let flag = flag.map(|count| (f64::from(count), crate::Place::Flag(name.to_owned())));
+            let (count, place) = flag.or(file).unwrap_or((f64::from(POINTS), crate::Place::Flag(name.to_owned())));
             if (1.0..=f64::from(MOST)).contains(&count) {
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and the most")]
                 return Ok(count as u32);
             }
-            let place = given.map_or_else(|| crate::Place::Flag(name.to_owned()), |map: &MapSpec| map.place.clone());
-            let message = format!("`{name}`: a map has 1 to {MOST} of them, and {count} were asked for");
+            let message = format!("a map has 1 to {MOST} {name}, and {count} were asked for");
             Err(SpecError::new(ErrorKind::Domain, place, message).of_key(name))
         };
         let axis = |end: Data, entry: &crate::spec::Entry, count| Axis::between(&start, &end, entry, count);
-        let x = axis(right, across, points(flags.columns, given.and_then(|map| map.columns), "columns")?)?;
-        let y = axis(top, up, points(flags.rows, given.and_then(|map| map.rows), "rows")?)?;
+        let x = axis(right, across, points(flags.columns, given.and_then(|map| map.columns.clone()), "columns")?)?;
+        let y = axis(top, up, points(flags.rows, given.and_then(|map| map.rows.clone()), "rows")?)?;
         if x.datum == y.datum {
             let message =
                 format!("{} and {} change the same: a map needs two different data", across.said(), up.said());

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
-use nply::mechanics::{Ends, Equilibrium, Holding, Stability, Support, SupportedState, Twist, Wedge};
+use nply::mechanics::{Ends, Holding, Stability, Support, SupportedState, Twist, Wedge};
 use serde_json::{Map, Value, json};
 
 use super::csv::unit_suffix;
@@ -12,7 +12,7 @@ use super::json::{header, question};
 use super::text::{Emphasis, hand, lay_out, title};
 use super::{Known, Measure, Report, found};
 use crate::preferred::six_digits;
-use crate::solve::Supported;
+use crate::solve::{Opening, Supported};
 use crate::{Case, Question};
 
 /// Every number of a state, in the order of the report.
@@ -102,13 +102,11 @@ const WEDGE: &[Item<Wedge>] = {
 };
 
 /// Every number of an opening.
-const OPENING: &[Item<Equilibrium>] = &[
-    item("", "helical_angle_deg", "helical angle (lay angle)", Measure::Degrees, |s| {
-        Some(s.contact().angle().degrees())
-    }),
-    item("", "radius_ratio", "helix radius/strand radius", Measure::Number, |s| Some(s.contact().radius_ratio())),
-    item("", "force", "end force (tension +)", Measure::Force, |s| Some(s.load().force)),
-    item("", "moment", "end moment (right-handed +)", Measure::Moment, |s| Some(s.load().moment)),
+const OPENING: &[Item<Opening>] = &[
+    item("", "helical_angle_deg", "helical angle (lay angle)", Measure::Degrees, |s| Some(s.angle.degrees())),
+    item("", "radius_ratio", "helix radius/strand radius", Measure::Number, |s| Some(s.radius_ratio)),
+    item("", "force", "end force (tension +)", Measure::Force, |s| Some(s.load.force)),
+    item("", "moment", "end moment (right-handed +)", Measure::Moment, |s| Some(s.load.moment)),
 ];
 
 /// How much shorter the ply is than its strands, in percent, regular for small angles.
@@ -154,8 +152,11 @@ pub(super) fn text(report: &Report, supported: &Supported, emphasis: bool) -> St
         |wedge| wedge.handedness,
     );
     for (kept, openings) in openings(supported) {
-        let heading = format!("Where touching strands part (p = 0) with the {kept} kept");
-        reader.table(&mut out, &heading, OPENING, openings, Equilibrium::handedness);
+        for (support, what) in LETS_GO {
+            let heading = format!("{what} with the {kept} kept");
+            let mine: Vec<Opening> = openings.iter().filter(|opening| opening.lets_go == support).copied().collect();
+            reader.table(&mut out, &heading, OPENING, &mine, |opening| opening.handedness);
+        }
     }
     for note in &report.notes {
         let _ = writeln!(out, "\n{note}");
@@ -172,8 +173,14 @@ pub(super) fn held(ends: Ends) -> Vec<(&'static str, f64)> {
     }
 }
 
+/// What may let go.
+const LETS_GO: [(Support, &str); 2] = [
+    (Support::Neighbours, "Where touching strands part (p = 0)"),
+    (Support::Core, "Where strands lift off the core (p_c = 0)"),
+];
+
 /// The openings, by the load that is kept.
-fn openings(supported: &Supported) -> [(&'static str, &[Equilibrium]); 2] {
+fn openings(supported: &Supported) -> [(&'static str, &[Opening]); 2] {
     [("force", &supported.openings_at_force), ("moment", &supported.openings_at_moment)]
 }
 
@@ -223,9 +230,10 @@ pub(super) fn json(report: &Report, supported: &Supported) -> String {
     top.insert("states".into(), supported.states.iter().map(|state| object(state, known)).collect());
     let wedge = |wedge: &Wedge| Value::Object(numbers(of_hand(wedge.handedness), WEDGE, wedge, known));
     top.insert("wedges".into(), supported.wedges.iter().map(wedge).collect());
-    let opening = |kept: &str, state: &Equilibrium| {
-        let mut object = of_hand(state.handedness());
+    let opening = |kept: &str, state: &Opening| {
+        let mut object = of_hand(state.handedness);
         object.insert("kept".into(), json!(kept));
+        object.insert("lets_go".into(), json!(state.lets_go.name()));
         Value::Object(numbers(object, OPENING, state, known))
     };
     let all = openings(supported).into_iter().flat_map(|(kept, states)| states.iter().map(move |s| opening(kept, s)));
@@ -332,8 +340,8 @@ pub(super) fn notes(case: &Case, straight: Option<bool>, supported: &Supported) 
     );
     say(
         openings(supported).iter().any(|(_, states)| !states.is_empty()),
-        "Where touching strands part is also where an opened ply closes: free helices without a gap between them press with p = 0. Which of \
-         these loads is met first depends on the way there.",
+        "Where strands part, or lift off their core, is also where an opened ply closes: free helices that just touch press with nothing. Which \
+         of these loads is met first depends on the way there.",
     );
     say(
         supported.states.len() > 1 && ends.holding() != Holding::DeadLoads,

@@ -85,10 +85,10 @@ impl Ends {
         match self {
             Self::Loads(_) => Ok(()),
             Self::Rotation { rotation, .. } => DomainError::check(
-                rotation.is_finite() && rotation != 0.0,
+                (1e-140..f64::INFINITY).contains(&rotation.abs()),
                 "rotation",
                 rotation,
-                "finite and not 0, which straight strands have",
+                "finite and not 0 (at least 1e-140), which straight strands have",
             ),
             Self::Length { extension, .. } => check_extension(extension),
         }

@@ -204,3 +204,39 @@ proptest! {
         }
     }
 }
+
+proptest! {
+    #![proptest_config(config(600))]
+
+    /// Strands lift off their core where a free helix lies on it: p_c = 0, both slopes of the energy vanish, and on either side of these loads
+    /// the core carries and does not.
+    #[test]
+    fn strands_lift_off_their_core_where_free_helices_lie_on_it(
+        n in 2..9_u32, gamma in 0.4..1.5, twist in -1.5..1.5, given in -2.0..2.0, core in 0.2..3.0, by_force in any::<bool>(),
+    ) {
+        let ply = Ply::new(n, gamma).unwrap();
+        let twist = Twist::Pretwist(twist);
+        let lifted = if by_force { ply.lift_off_at_force(twist, given, core) } else { ply.lift_off_at_moment(twist, given, core) };
+        for state in lifted.unwrap() {
+            let load = state.load();
+            let kept = if by_force { load.force } else { load.moment };
+            prop_assert!((kept - given).abs() < 1e-12 * (1.0 + given.abs()), "{state:?}");
+            prop_assert!(state.core_pressure().abs() < 1e-12 * (1.0 + load.force.abs() + load.moment.abs()));
+            let (s, c, rho) = (state.angle().sin(), state.angle().cos(), state.radius_ratio());
+            prop_assert!((rho - 1.0 - core).abs() < 1e-15 && state.neighbour_gap() > 0.0);
+            // (40) at this radius, typed again
+            let (strands, eps) = (f64::from(n), state.handedness().sign());
+            let g = 2.0 * strands * s.powi(3) * c + eps * strands * rho * gamma * state.strand_twist() * (c * c - s * s)
+                + rho * rho * load.force * s - eps * rho * load.moment * c;
+            prop_assert!(g.abs() < 1e-12 * strands * rho * rho * (1.0 + load.force.abs() + load.moment.abs()), "{g} {state:?}");
+            if !(0.1..1.4).contains(&state.angle().radians()) || state.neighbour_gap() < 1e-2 { continue; }
+            let carried = |load: Load| {
+                ply.supported_states(twist, load, Some(core)).unwrap().iter().any(|near| near.support() == Support::Core
+                    && near.handedness() == state.handedness() && (near.angle().radians() - state.angle().radians()).abs() < 1e-2)
+            };
+            let step = 1e-5;
+            let aside = |by: f64| if by_force { Load { moment: load.moment + by, ..load } } else { Load { force: load.force + by, ..load } };
+            prop_assert!(carried(aside(step)) != carried(aside(-step)), "{state:?}");
+        }
+    }
+}

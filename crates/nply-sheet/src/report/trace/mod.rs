@@ -4,12 +4,13 @@ mod picture;
 mod table;
 mod words;
 
-use nply::DomainError;
 use nply::mechanics::{Balance, Contacts, Data, End, Ends, Event, Holding, Path, Route, Stability, Station, Trace};
 
-use self::words::{brief, what, why};
+use self::words::{brief, happened, why};
 use super::Known;
-use crate::{Case, ErrorKind, Question, SpecError};
+use crate::key::Group;
+use crate::spec::Entry;
+use crate::{Case, Datum, ErrorKind, Question, SpecError, Table};
 
 /// How a path is to be walked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -75,11 +76,14 @@ impl TraceReport {
             (balance, true) => Contacts::Kept(balance),
             (Balance::Contact, false) => Contacts::Unilateral,
         };
+        for (case, to) in cases.iter().zip(&data) {
+            same_kind(case, &from, to)?;
+        }
         let route = Route { curvature_limit: walk.curvature_limit, ..Route::default() };
         let path =
             |from, to, case: &Case| Path::new(first.strands, from, to, contacts).map_err(|error| case.locate(&error));
         let starts = path(from, from, first)?.starts().map_err(|error| first.locate(&error))?;
-        let chosen = choose(&starts, walk.start).map_err(|error| first.locate(&error))?;
+        let chosen = choose(&starts, walk.start)?;
         let mut report = Self { contacts, starts, chosen, legs: Vec::new(), notes: Vec::new(), cases: Vec::new() };
         let mut here = report.starts.get(chosen).copied();
         let mut from = from;
@@ -154,15 +158,15 @@ impl TraceReport {
             notes.push(match &landing[..] {
                 [] => format!(
                     "On leg {leg} the stable states end at {}: {}, and no uniform stable state is left under these data. The ply runs \
-                     away; what follows of the branch is unstable.",
+                     away; the branch is followed on all the same.",
                     brief(at),
-                    what(event)
+                    happened(event)
                 ),
                 _ => format!(
                     "On leg {leg} the stable states end at {}: {}, and the ply jumps. Stable there: {}. The branch is followed on all the \
                      same.",
                     brief(at),
-                    what(event),
+                    happened(event),
                     landing.join(", ")
                 ),
             });
@@ -193,30 +197,57 @@ pub(crate) fn data_of(case: &Case) -> Result<Data, SpecError> {
         Question::Held { twist, ends } => (twist, ends, None),
         Question::Supported { twist, ends, core_radius } => (twist, ends, core_radius),
         _ => {
-            let refused = DomainError {
-                quantity: "path",
-                value: f64::NAN,
-                allowed: "between plies whose twist and loads are given: remove the lay, or the separation",
-            };
-            return Err(case.locate(&refused));
+            let asked = |entry: &Entry| entry.key.table == Table::Lay || entry.key.datum == Datum::Separation;
+            return Err(case.refuse(asked, |said| {
+                format!("{said} goes with no path or map: there twist and loads are given, and the shape is found; remove it")
+            }));
         }
     };
-    if let Some(pressure) = case.external_pressure.filter(|pressure| *pressure != 0.0) {
-        let allowed = "0 on a path: it is not followed under an external pressure";
-        return Err(case.locate(&DomainError { quantity: "external_pressure", value: pressure, allowed }));
+    if case.external_pressure.is_some_and(|pressure| pressure != 0.0) {
+        let pressure = |entry: &Entry| entry.key.datum == Datum::ExternalPressure;
+        return Err(
+            case.refuse(pressure, |said| format!("{said} cannot be taken into account on a path or map: remove it"))
+        );
     }
     Ok(Data { stiffness_ratio: case.stiffness_ratio, twist, ends, core_radius })
 }
 
+/// Whether a leg keeps what is given of the twist, and the core.
+fn same_kind(case: &Case, from: &Data, to: &Data) -> Result<(), SpecError> {
+    if core::mem::discriminant(&from.twist) != core::mem::discriminant(&to.twist) {
+        return Err(case.refuse(
+            |entry| entry.key.group == Some(Group::Twist),
+            |said| {
+                format!("{said} is another kind of twist than the path begins with: give the pretwist on all legs, or the strand twist on all")
+            },
+        ));
+    }
+    if from.core_radius.is_some() != to.core_radius.is_some() {
+        return Err(case.refuse(
+            |entry| entry.key.group == Some(Group::Support),
+            |said| {
+                format!(
+                    "{said} comes on the way: no leg brings a core where there was none; give it from the beginning"
+                )
+            },
+        ));
+    }
+    Ok(())
+}
+
 /// The state to start from.
-fn choose(starts: &[Station], wanted: Option<usize>) -> Result<usize, DomainError> {
+fn choose(starts: &[Station], wanted: Option<usize>) -> Result<usize, SpecError> {
     match wanted {
         Some(number) if number >= 1 && number <= starts.len() => Ok(number - 1),
-        Some(number) => Err(DomainError {
-            quantity: "start",
-            value: number as f64,
-            allowed: "the number of one of the states at the beginning of the path, from 1",
-        }),
+        // said below: there is none
+        Some(_) if starts.is_empty() => Ok(0),
+        Some(number) => {
+            let message = match starts.len() {
+                1 => format!("{number} is the number of no state: there is one to start from"),
+                count => format!("{number} is the number of no state: there are {count} to start from, counted from 1"),
+            };
+            Err(SpecError::new(ErrorKind::Domain, crate::Place::Flag("start".to_owned()), message))
+        }
         None => {
             let presses = |s: &Station| s.stability == Some(Stability::Stable) && s.interstrand_pressure >= 0.0;
             Ok(starts.iter().position(presses).or_else(|| starts.iter().position(|s| !s.is_separated())).unwrap_or(0))

@@ -77,7 +77,7 @@ impl TraceReport {
                     || name == "extension" && self.legs.iter().any(|leg| leg.holding == Holding::Length))
         };
         let columns: Vec<(&str, Row)> =
-            STATION.iter().filter(kept).filter_map(|item| Some((item.label, reader.row(item, "", &all)?))).collect();
+            STATION.iter().filter(kept).filter_map(|item| Some((item.label, column(item, reader, &all)?))).collect();
         let row = |label: String, first: [&str; 4], cells: &dyn Fn(&(&str, Row)) -> String| Row {
             label,
             unit: first[0].to_owned(),
@@ -191,6 +191,19 @@ impl TraceReport {
         top.insert("notes".into(), json!(self.notes));
         format!("{:#}\n", Value::Object(top))
     }
+}
+
+/// The numbers of a column; what is nothing beside the largest of them is 0, as where a contact opens or strands run straight.
+fn column(item: &Item<Station>, reader: &Reader<'_>, all: &[Station]) -> Option<Row> {
+    const NOTHING: f64 = 1e-13;
+    let mut row = reader.row(item, "", all)?;
+    let largest = all.iter().filter_map(|station| item.of(station)).fold(0.0, |most: f64, v| most.max(v.abs()));
+    for (cell, station) in row.cells.iter_mut().zip(all) {
+        if item.of(station).is_some_and(|value| value.abs() < NOTHING * largest) {
+            "0".clone_into(cell);
+        }
+    }
+    Some(row)
 }
 
 fn object(station: &Station, known: Known) -> Value {

@@ -5,7 +5,8 @@ use nply::mechanics::{End, Event, Mark, Station, Support};
 
 /// A state in a few words.
 pub(super) fn brief(station: &Station) -> String {
-    if station.angle.sin() == 0.0 {
+    // 0.000° in the words below
+    if station.angle.degrees() < 5e-4 {
         return "straight".to_owned();
     }
     let side = if station.handedness == Handedness::Right { "right" } else { "left" };
@@ -31,7 +32,24 @@ pub(super) fn carried_by(station: &Station) -> &'static str {
 
 /// An event in a few words.
 pub(super) fn what(event: &Event) -> String {
-    let words = match event.mark {
+    let words = word(event);
+    if event.jump.is_some() { format!("{words}, jump") } else { words.to_owned() }
+}
+
+/// What ends the stable states, in a sentence.
+pub(super) fn happened(event: &Event) -> &'static str {
+    match event.mark {
+        Mark::Fold => "there two states meet in a fold",
+        Mark::ContactChange(Support::Free) => "there the ply opens",
+        Mark::ContactChange(Support::Neighbours) => "there neighbours alone come to carry the strands",
+        Mark::ContactChange(Support::Core) => "there the core alone comes to carry the strands",
+        Mark::ContactChange(Support::Both) => "there neighbours and core come to carry the strands",
+        _ => word(event),
+    }
+}
+
+const fn word(event: &Event) -> &'static str {
+    match event.mark {
         Mark::Arrival => "arrives",
         Mark::Fold => "fold",
         Mark::ContactChange(Support::Free) => "opens",
@@ -43,8 +61,7 @@ pub(super) fn what(event: &Event) -> String {
         Mark::MostTurns => "most turns",
         Mark::CurvatureLimit => "curvature limit",
         Mark::Straight => "straight",
-    };
-    if event.jump.is_some() { format!("{words}, jump") } else { words.to_owned() }
+    }
 }
 
 pub(super) const fn ended(end: End) -> &'static str {

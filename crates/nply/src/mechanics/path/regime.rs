@@ -67,6 +67,8 @@ pub(super) struct Here {
     held_slope: f64,
     force_slope: f64,
     moment_slope: f64,
+    /// the load that is found; 0 where both are given
+    found: f64,
     n: f64,
 }
 
@@ -136,6 +138,7 @@ impl Here {
             held_slope: gamma.slope * value + gamma.value * slope,
             force_slope: force_slope / n,
             moment_slope: moment_slope / n,
+            found: reaction,
             n,
         }
     }
@@ -237,7 +240,7 @@ impl Here {
                 Equation { value: self.y - held.value, slopes: [0.0, 1.0, 0.0, -held.slope] }
             }
             (Some(held), _) => Equation { value: self.c - held.value, slopes: [-self.s, 0.0, 0.0, -held.slope] },
-            _ => Equation { value: 0.0, slopes: [0.0, 0.0, 1.0, 0.0] },
+            _ => Equation { value: self.found, slopes: [0.0, 0.0, 1.0, 0.0] },
         }
     }
 
@@ -287,3 +290,49 @@ impl Here {
 
 /// So near to flat rings the walk ends.
 pub(super) const FLATTEST: f64 = core::f64::consts::FRAC_PI_2 - 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::{Data, Load};
+
+    /// Every derivative against differences, with everything changing along the path.
+    #[test]
+    fn slopes_are_differences() {
+        let ends = [
+            [Ends::Loads(Load { force: 0.3, moment: -0.2 }), Ends::Loads(Load { force: 1.0, moment: 2.0 })],
+            [Ends::Rotation { rotation: 0.3, force: 0.2 }, Ends::Rotation { rotation: 0.4, force: -1.0 }],
+            [Ends::Length { extension: 0.8, moment: 0.5 }, Ends::Length { extension: 0.7, moment: 1.0 }],
+        ];
+        let twists =
+            [[Twist::Pretwist(-0.3), Twist::Pretwist(0.5)], [Twist::StrandTwist(0.4), Twist::StrandTwist(-0.2)]];
+        let supports = [Support::Neighbours, Support::Core, Support::Both, Support::Free].map(Regime::On);
+        let regimes = supports.into_iter().chain(Balance::BOTH.map(Regime::Kept));
+        let kinds: Vec<_> = ends.into_iter().flat_map(|e| twists.map(|t| (e, t))).collect();
+        for (regime, ([ends_a, ends_b], [twist_a, twist_b])) in regimes.flat_map(|r| kinds.iter().map(move |k| (r, *k)))
+        {
+            let data =
+                |stiffness_ratio, twist, ends, core| Data { stiffness_ratio, twist, ends, core_radius: Some(core) };
+            let from = data(0.6, twist_a, ends_a, 0.9);
+            let path = Path { strands: 4, from, to: data(1.2, twist_b, ends_b, 1.3), contacts: Contacts::Unilateral };
+            for z in [[0.6, 0.3, 0.4, 0.35], [-0.9, -0.25, -1.1, 0.7]] {
+                let h = 1e-6;
+                for (e, equation) in Here::new(&path, z).equations(regime).iter().enumerate() {
+                    for i in 0..4 {
+                        let at = |by: f64| {
+                            let mut z = z;
+                            z[i] += by;
+                            Here::new(&path, z).equations(regime)[e].value
+                        };
+                        let slope = (at(h) - at(-h)) / (2.0 * h);
+                        let got = equation.slopes[i];
+                        assert!(
+                            (got - slope).abs() < 1e-8 * (1.0 + slope.abs()),
+                            "{regime:?} {e} by {i}: {got} {slope}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! What carries the strands: neighbours, a core, both, or nothing. Contacts push and never pull.
 
 mod free;
+mod lift;
 mod search;
 mod wedge;
 
@@ -259,6 +260,12 @@ impl SupportedState {
             Load { force: self.load.force / n, moment: self.load.moment / n },
             (self.extension(), self.rotation()),
         )
+    }
+
+    /// Right-handed first, then by angle.
+    fn in_order(&self, other: &Self) -> core::cmp::Ordering {
+        let left = |s: &Self| s.handedness == Handedness::Left;
+        left(self).cmp(&left(other)).then(self.angle().radians().total_cmp(&other.angle().radians()))
     }
 
     fn slopes(&self) -> Slopes {

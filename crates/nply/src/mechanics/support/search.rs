@@ -29,8 +29,8 @@ impl Ply {
     ///
     /// `ends` are the loads, or how the ends are [held](Ends) otherwise; `core_radius` in units of r, `None` without a core.
     /// Right-handed states first, then by angle. The ply's own balance is of no account: where only neighbours touch it is
-    /// contact balance, where only the core carries it is radial. Where the rotation is held and neighbours touch on the
-    /// core too, the one rotation that this fixes is left out.
+    /// contact balance, where only the core carries it is radial. Where a displacement is held and neighbours touch on the
+    /// core too, the one rotation, or length, that this fixes is left out.
     ///
     /// # Errors
     /// [`DomainError`] unless the data are finite, the displacement can be that of a ply, the core's radius is greater than
@@ -65,10 +65,7 @@ impl Ply {
             search.on_both(ends, rho, &mut states);
         }
         search.free(ends, &mut states);
-        states.sort_by(|a, b| {
-            let left = |s: &SupportedState| s.handedness == Handedness::Left;
-            left(a).cmp(&left(b)).then(a.angle().radians().total_cmp(&b.angle().radians()))
-        });
+        states.sort_by(SupportedState::in_order);
         Ok(states)
     }
 
@@ -153,8 +150,10 @@ impl Search<'_> {
         };
         match ends {
             Ends::Loads(load) => ply.each_equilibrium(self.twist, load, keep),
-            // more turns than touching strands take, or a lay at which the missing load does no work, is no such state
+            // more turns than touching strands take is no such state; what else is refused is refused here too
             held => {
+                // data were checked: what is refused still is more turns than touching strands take, or the very most, at which no moment
+                // is large enough
                 ply.equilibria_held(self.twist, held).unwrap_or_default().into_iter().for_each(&mut keep);
                 Ok(())
             }
