@@ -1,4 +1,4 @@
-//! How fast: all equilibria of a map of 1000 × 1000 pairs of loads, row by row, against one by one.
+//! How fast: all equilibria of a map of 1000 × 1000 pairs of loads, row by row, against one by one; the locus p = 0; a path.
 //!
 //! `cargo bench -p nply --bench map`. Three strands, γ = 0.75, φ̄a = −0.2, f in [−2, 2], m in [−3, 3]; the angle and the pressure of
 //! every state of either hand are kept. The throughput is in pixels.
@@ -7,7 +7,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use nply::mechanics::{Along, Balance, Load, Ply, Twist};
+use nply::mechanics::{Along, Balance, Contacts, Data, Load, Path, Ply, Route, Twist};
 
 const SIDE: usize = 1000;
 /// States of one pixel that are kept.
@@ -90,5 +90,24 @@ fn maps(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, maps);
+/// p = 0 at 1000 angles of both hands, and a state followed along a path.
+fn curves(criterion: &mut Criterion) {
+    let ply = Ply::new(3, 0.75).unwrap();
+    criterion.bench_function("locus p = 0, 2 x 1000 points", |b| {
+        b.iter(|| ply.separation_locus(black_box(Twist::Pretwist(-0.2)), 1000).unwrap());
+    });
+    let at = |force| Data {
+        stiffness_ratio: 0.75,
+        twist: Twist::Pretwist(-0.2),
+        ends: Load { force, moment: 3.0 }.into(),
+        core_radius: None,
+    };
+    let path = Path::new(3, at(0.5), at(-0.2), Contacts::Unilateral).unwrap();
+    let start = path.starts().unwrap()[0];
+    criterion.bench_function("a path of some 50 steps", |b| {
+        b.iter(|| path.trace(black_box(&start), &Route::default()).unwrap());
+    });
+}
+
+criterion_group!(benches, maps, curves);
 criterion_main!(benches);
