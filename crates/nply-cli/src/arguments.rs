@@ -11,9 +11,11 @@ Examples:
   nply solve --strands 3 --stiffness-ratio 0.75 --pretwist -1
   nply support rope.toml --support-core-diameter \"4 mm\" --ply-length \"0.9 m\" --strand-length \"1 m\"
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
+  nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
+  nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
-3 a file cannot be read or written.";
+3 a file cannot be read or written, 130 interrupted.";
 
 const SOLVE: &str = "\
 Reads a ply from FILE (TOML), from flags, or from both (flags replace what the file says), and prints every state in
@@ -97,9 +99,10 @@ pub(crate) fn command() -> Command {
         )
         .subcommand(
             corners(
-                with_keys(Command::new("trace").about("Follow a ply along a path").long_about(TRACE), |key| {
-                    key.table != Table::Lay && key.name != "separation"
-                }),
+                with_keys(
+                    Command::new("trace").about("Follow a ply along a path").long_about(TRACE).after_help(EXAMPLES),
+                    |key| key.table != Table::Lay && key.name != "separation",
+                ),
                 "to-",
                 "Where the path leads",
             )
@@ -132,9 +135,10 @@ pub(crate) fn command() -> Command {
         .subcommand(
             corners(
                 corners(
-                    with_keys(Command::new("map").about("Every state over two data").long_about(MAP), |key| {
-                        key.table != Table::Lay && key.name != "separation"
-                    }),
+                    with_keys(
+                        Command::new("map").about("Every state over two data").long_about(MAP).after_help(EXAMPLES),
+                        |key| key.table != Table::Lay && key.name != "separation",
+                    ),
                     "from-",
                     "Where the rectangle begins",
                 ),
@@ -156,7 +160,10 @@ pub(crate) fn command() -> Command {
         )
         .subcommand(
             with_keys(
-                Command::new("locus").about("The loads at which touching strands part").long_about(LOCUS),
+                Command::new("locus")
+                    .about("The loads at which touching strands part")
+                    .long_about(LOCUS)
+                    .after_help(EXAMPLES),
                 |key| !matches!(key.table, Table::Lay | Table::Ends | Table::Support) && key.name != "separation",
             )
             .arg(points("points", "Angles on each curve (200)"))

@@ -48,7 +48,16 @@ impl Failure {
         }
     }
 
-    /// Of writing a table.
+    /// Of writing a table to a file.
+    pub(crate) fn of_table_in(path: &str, error: TableError) -> Self {
+        let error = match error {
+            TableError::Write(error) => error,
+            other => io::Error::other(other),
+        };
+        Self::File { what: format!("cannot write {path}"), error }
+    }
+
+    /// Of writing a table to standard output.
     pub(crate) fn of_table(error: TableError) -> Self {
         match error {
             TableError::Write(error) => Self::of_output(error),

@@ -94,11 +94,12 @@ pub(crate) fn map(arguments: &ArgMatches) -> Result<(), Failure> {
             } else {
                 TableWriter::csv(map.columns(), draft)
             };
-            let mut table = table.map_err(Failure::of_table)?;
+            let cannot = |error| Failure::of_table_in(path, error);
+            let mut table = table.map_err(cannot)?;
             let tally = walk(&map, &input, quiet, &mut picture, |first, rows| {
-                table.write_chunk(&map.chunk(first, rows)).map_err(Failure::of_table)
+                table.write_chunk(&map.chunk(first, rows)).map_err(cannot)
             })?;
-            table.finish().map_err(Failure::of_table)?.keep()?;
+            table.finish().map_err(cannot)?.keep()?;
             finish(arguments, &map, picture.as_ref(), &tally)
         }
         (None, Some(_)) => {
@@ -118,13 +119,17 @@ pub(crate) fn map(arguments: &ArgMatches) -> Result<(), Failure> {
 /// What a file says of itself.
 fn metadata(map: &Map) -> Vec<(&'static str, String)> {
     let case = map.case();
-    vec![
+    let mut said = vec![
         ("program", "nply".to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("title", case.title.clone().unwrap_or_default()),
         ("strands", case.strands.to_string()),
         ("balance", case.balance.name().to_owned()),
-        ("title", case.title.clone().unwrap_or_default()),
-    ]
+    ];
+    said.extend(map.held().into_iter().map(|(datum, value)| (datum.name(), format!("{value:?}"))));
+    said.extend(case.strand_radius.map(|radius| ("strand_radius_m", format!("{radius:?}"))));
+    said.extend(case.scale.map(|scale| ("bending_stiffness_N_m2", format!("{:?}", scale.bending_stiffness()))));
+    said
 }
 
 /// The picture, and a few lines on what is in it.

@@ -57,7 +57,7 @@ fn every_example_is_answered_and_names_its_source() {
             );
         }
     }
-    assert_eq!(count, 7, "an example without a test of its own");
+    assert_eq!(count, 10, "an example without a test of its own");
 }
 
 /// Lay of 8.5 nm, chain radius 0.2582 nm: 2πρ/tan θ = 8.5/0.2582.
@@ -226,4 +226,105 @@ fn birdcage() {
         let pushed = json(&["solve", "examples/birdcage.toml", "--force", &thrust, "--json"]);
         assert_eq!(states(&pushed).iter().any(|state| state["support"] == "core"), holds, "{thrust}");
     }
+}
+
+/// The events of a path: leg, name, station.
+fn events(report: &Value) -> Vec<(usize, String, Value)> {
+    let legs = report["legs"].as_array().unwrap().iter().enumerate();
+    legs.flat_map(|(leg, content)| {
+        content["events"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(move |event| (leg + 1, event["event"].as_str().unwrap().to_owned(), event["station"].clone()))
+    })
+    .collect()
+}
+
+/// The event of a leg with a name, the first of them.
+#[track_caller]
+fn event(report: &Value, leg: usize, name: &str) -> Value {
+    let all = events(report);
+    let found = all.iter().find(|(of, called, _)| (*of, called.as_str()) == (leg, name));
+    found.unwrap_or_else(|| panic!("no {name} on leg {leg}: {all:?}")).2.clone()
+}
+
+/// Pulled, turned through straight past 45 degrees, and let go: from the balanced ply below to the one above, of which `nply solve`
+/// knows nothing of the way.
+#[track_caller]
+fn manoeuvre(name: &str, balance: &str, kept: bool) -> Value {
+    let file = format!("examples/{name}.toml");
+    let mut arguments = vec!["trace", &file, "--json"];
+    if kept {
+        arguments.push("--kept");
+    }
+    let report = json(&arguments);
+    let rods = |force: &str, moment: &str| {
+        let loads = ["--force", force, "--moment", moment, "--balance", balance, "--json"];
+        json(&[&["solve", "--strands", "3", "--stiffness-ratio", "0.75", "--pretwist", "-0.2"][..], &loads].concat())
+    };
+    let balanced = rods("0", "0");
+    let of_hand = |hand: i64| states(&balanced).iter().find(|state| state["handedness"] == hand).unwrap().clone();
+    let (low, high) = (of_hand(1), of_hand(-1));
+    assert!(number(&low, "helical_angle_deg") < 45.0 && number(&high, "helical_angle_deg") > 45.0);
+    let start = &report["legs"][0]["stations"][0];
+    near(number(start, "helical_angle_deg"), number(&low, "helical_angle_deg"), TOLERANCE);
+    // straight where the ends take the whole twist: n γ times the pretwist
+    let straight = event(&report, 2, "straight");
+    near(number(&straight, "moment"), 3.0 * 0.75 * -0.2, 1e-9);
+    assert!(number(&straight, "helical_angle_deg") < 1e-6);
+    near(number(&event(&report, 2, "quarter_pi"), "helical_angle_deg"), 45.0, 1e-12);
+    // at the angle of the goal, pressing
+    let top = event(&report, 2, "arrival");
+    near(number(&top, "helical_angle_deg"), number(&high, "helical_angle_deg"), TOLERANCE);
+    assert!(top["handedness"] == -1 && number(&top, "interstrand_pressure") > 0.5);
+    // and, if neighbours are kept together, still at that angle without loads
+    if kept || balance == "radial" {
+        let end = event(&report, 3, "arrival");
+        near(number(&end, "helical_angle_deg"), number(&high, "helical_angle_deg"), TOLERANCE);
+        near(number(&end, "interstrand_pressure"), number(&high, "interstrand_pressure"), 1e-9);
+        let parting = event(&report, 3, "separation");
+        let [force, moment] = ["force", "moment"].map(|load| number(&parting, load).to_string());
+        let there = rods(&force, &moment);
+        let away = |state: &Value| (number(state, "helical_angle_deg") - number(&parting, "helical_angle_deg")).abs();
+        let state = states(&there).iter().find(|state| state["handedness"] == -1 && away(state) < 1e-8).unwrap();
+        assert!(number(state, "resultant_pressure").abs() < 1e-12, "{state}");
+        near(number(&parting, "moment") / number(&parting, "force"), number(&top, "moment") / 0.5, 1e-12);
+    }
+    report
+}
+
+#[test]
+fn manoeuvre_radial() {
+    manoeuvre("manoeuvre-radial", "radial", false);
+}
+
+#[test]
+fn manoeuvre_contact() {
+    let kept = manoeuvre("manoeuvre-contact", "contact", true);
+    // contacts that only push open where the kept ones would begin to pull
+    let pushing = manoeuvre("manoeuvre-contact", "contact", false);
+    let opening = event(&pushing, 3, "contact_change");
+    near(number(&opening, "along"), number(&event(&kept, 3, "separation"), "along"), 1e-9);
+    near(number(&opening, "moment"), number(&event(&kept, 3, "separation"), "moment"), 1e-9);
+    let first = &pushing["legs"][2]["events"][0];
+    assert!(first["event"] == "contact_change" && !first["jump"].as_array().unwrap().is_empty(), "{first}");
+    assert_ne!(pushing["legs"][2]["end"], "arrival");
+}
+
+/// Straight as long as the clamps hold n γ times the pretwist, then coiling up to what a simulation found.
+#[test]
+fn letting_go() {
+    let report = json(&["trace", "examples/letting-go.toml", "--json"]);
+    let legs = report["legs"].as_array().unwrap();
+    for leg in &legs[..2] {
+        let stations = leg["stations"].as_array().unwrap();
+        assert!(stations.iter().all(|station| number(station, "helical_angle_deg") < 1e-6));
+        assert!(stations.iter().all(|station| station["stability"] == "stable"));
+    }
+    let end = event(&report, 3, "arrival");
+    assert!((number(&end, "helical_angle_deg") - 30.6130).abs() < 5e-5, "simulated: 30.6130 degrees");
+    assert!(end["handedness"] == 1 && end["stability"] == "stable");
+    let balanced = json(&["solve", "--strands", "3", "--stiffness-ratio", "0.75", "--pretwist", "-1", "--json"]);
+    near(number(&end, "helical_angle_deg"), number(&states(&balanced)[0], "helical_angle_deg"), TOLERANCE);
 }

@@ -203,6 +203,11 @@ impl Case {
         self.origins.displaced(self, error).unwrap_or_else(|| self.origins.locate(error))
     }
 
+    /// Whether a datum was given, and not taken to be 0.
+    pub(crate) fn gives(&self, datum: Datum) -> bool {
+        self.origins.give(datum)
+    }
+
     /// A refusal of what goes with no study, at the first datum of those wanted, whose words begin the message.
     pub(crate) fn refuse(&self, wanted: impl Fn(&Entry) -> bool, message: impl FnOnce(&str) -> String) -> SpecError {
         self.origins.refuse(wanted, message)

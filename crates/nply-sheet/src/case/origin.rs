@@ -62,6 +62,11 @@ impl Origins {
         entry.error(ErrorKind::Domain, message)
     }
 
+    /// Whether a datum was given, and not taken to be 0.
+    pub(super) fn give(&self, datum: Datum) -> bool {
+        self.entries.iter().any(|entry| entry.key.datum == datum)
+    }
+
     /// A refusal said at the first datum of those wanted, or at the head of the input where there is none.
     pub(super) fn refuse(&self, wanted: impl Fn(&Entry) -> bool, message: impl FnOnce(&str) -> String) -> SpecError {
         match self.entries.iter().find(|entry| wanted(entry)) {

@@ -1,5 +1,7 @@
 //! A datum that runs from one number to another.
 
+use core::f64::consts::TAU;
+
 use nply::mechanics::{Along, Data, Ends, Load, Twist};
 
 use crate::report::{Known, Measure, Reading};
@@ -23,7 +25,7 @@ pub enum MapDatum {
 
 impl MapDatum {
     /// All, in the order of the report.
-    const ALL: [Self; 8] = [
+    pub(super) const ALL: [Self; 8] = [
         Self::Force,
         Self::Moment,
         Self::Rotation,
@@ -55,12 +57,22 @@ impl MapDatum {
         match self {
             Self::Force => "end force",
             Self::Moment => "end moment",
-            Self::Rotation => "rotation per strand length × r",
+            Self::Rotation => "turns per strand length",
             Self::Extension => "ply length/strand length",
             Self::Pretwist => "pretwist",
-            Self::StrandTwist => "strand twist r u₃",
+            Self::StrandTwist => "strand twist",
             Self::StiffnessRatio => "stiffness ratio C/B",
             Self::CoreRadius => "core radius",
+        }
+    }
+
+    /// How a reader reads values of which `largest` is the largest.
+    pub(super) fn reading(self, case: &Case, largest: f64) -> Reading {
+        let known = Known { scale: case.scale, strand_radius: case.strand_radius };
+        match self {
+            Self::Rotation => Measure::turning(known, &case.units, largest),
+            Self::Pretwist | Self::StrandTwist => Measure::twist(known, &case.units, largest),
+            _ => self.measure().reading(known, &case.units, largest),
         }
     }
 
@@ -74,7 +86,7 @@ impl MapDatum {
     }
 
     /// What it is in some data; `None` where they give no such thing.
-    fn get(self, data: &Data) -> Option<f64> {
+    pub(super) fn get(self, data: &Data) -> Option<f64> {
         match (self, data.ends, data.twist) {
             (Self::Force, Ends::Loads(Load { force, .. }) | Ends::Rotation { force, .. }, _) => Some(force),
             (Self::Moment, Ends::Loads(Load { moment, .. }) | Ends::Length { moment, .. }, _) => Some(moment),
@@ -151,7 +163,7 @@ impl Axis {
 
     fn refused(entry: &Entry) -> SpecError {
         let message = format!(
-            "{} is of another kind than what the ply has to begin with: give the same datum at both ends of the range",
+            "{}: where the map begins another datum is given in its place: give this one there too",
             entry.said()
         );
         entry.error(ErrorKind::Contradiction, message)
@@ -174,13 +186,19 @@ impl Axis {
     /// How a reader reads it.
     #[must_use]
     pub fn reading(&self, case: &Case) -> Reading {
-        let known = Known { scale: case.scale, strand_radius: case.strand_radius };
-        self.datum.measure().reading(known, &case.units, self.from.abs().max(self.to.abs()))
+        self.datum.reading(case, self.from.abs().max(self.to.abs()))
     }
 
     /// The factor to SI and the SI unit, where it has one.
     #[must_use]
     pub fn si(&self, case: &Case) -> Option<(f64, &'static str)> {
-        self.datum.measure().si(Known { scale: case.scale, strand_radius: case.strand_radius })
+        let known = Known { scale: case.scale, strand_radius: case.strand_radius };
+        match self.datum {
+            // rad/r in the theory
+            MapDatum::Rotation | MapDatum::Pretwist | MapDatum::StrandTwist => {
+                Measure::TurnsPerLength.si(known).map(|(factor, unit)| (factor / TAU, unit))
+            }
+            datum => datum.measure().si(known),
+        }
     }
 }

@@ -141,6 +141,22 @@ impl Map {
         &self.case
     }
 
+    /// What is held all over the map: the dimensionless data that do not run.
+    ///
+    /// ```
+    /// use nply_sheet::{Spec, map::MapDatum};
+    /// let text = "ply.strands = 3\nstrand.stiffness_ratio = 0.75\ntwist.pretwist = -0.2\nmap.to.load = { force = 2, moment = 3 }\n";
+    /// let map = Spec::from_toml("map.toml", text)?.check_map(None)?;
+    /// assert_eq!(map.held(), [(MapDatum::Pretwist, -0.2), (MapDatum::StiffnessRatio, 0.75)]);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn held(&self) -> Vec<(MapDatum, f64)> {
+        let runs = [self.x.datum, self.y.datum];
+        let still = MapDatum::ALL.into_iter().filter(|datum| !runs.contains(datum));
+        still.filter_map(|datum| Some((datum, datum.get(&self.corner)?))).collect()
+    }
+
     /// The data at a column and a row.
     fn data(&self, column: usize, row: usize) -> Data {
         self.y.datum.set(self.x.datum.set(self.corner, self.x.value(column)), self.y.value(row))

@@ -50,14 +50,25 @@ impl Tally {
             .title
             .as_ref()
             .map_or(String::new(), |title| format!("{}: ", title.replace(|c: char| c.is_control(), " ")));
+        let held: Vec<String> = map
+            .held()
+            .into_iter()
+            .map(|(datum, value)| {
+                let reading = datum.reading(case, value.abs());
+                format!("{} {} {}", datum.label(), six_digits(value * reading.factor), reading.unit)
+                    .trim_end()
+                    .to_owned()
+            })
+            .collect();
         let mut out = format!(
-            "{title}{} strands, {} × {} points, {} states\n  across  {}\n  up      {}\n",
+            "{title}{} strands, {} × {} points, {} states\n  across  {}\n  up      {}\n  held    {}\n",
             case.strands,
             map.x.count,
             map.y.count,
             self.states(),
             axis(&map.x),
             axis(&map.y),
+            held.join(", "),
         );
         let points = self.points().max(1) as f64;
         let percent = |count: u64| 100.0 * count as f64 / points;

@@ -101,11 +101,18 @@ impl LocusReport {
     /// How many points a curve has where nobody says how many.
     pub const POINTS: usize = 200;
 
+    const MOST: usize = 10_000_000;
+
     /// The locus of a case's twist at `points` angles, of both hands; its loads, or its ends, are not looked at.
     ///
     /// # Errors
     /// [`SpecError`] where no twist is given, under an external pressure, and unless there are 2 to ten million points.
     pub fn of(case: &Case, points: usize) -> Result<Self, SpecError> {
+        if !(2..=Self::MOST).contains(&points) {
+            let message = format!("a curve has 2 to {} points, and {points} were asked for", Self::MOST);
+            let place = crate::Place::Flag("points".to_owned());
+            return Err(SpecError::new(ErrorKind::Domain, place, message).of_key("points"));
+        }
         let located = |error| case.locate(&error);
         let twist = match case.question {
             Question::States { twist, .. }

@@ -108,6 +108,20 @@ impl Measure {
         Reading { factor: unit.of_si(si), unit: unit.to_string() }
     }
 
+    /// How a person reads a rotation per length in rad/r: as turns per length.
+    pub(crate) fn turning(known: Known, units: &PreferredUnits, largest: f64) -> Reading {
+        let Reading { factor, unit } = Self::TurnsPerLength.reading(known, units, largest / TAU);
+        Reading { factor: factor / TAU, unit }
+    }
+
+    /// How a person reads a twist: as turns per length where the strand has a size, else as the pure number of the theory.
+    pub(crate) fn twist(known: Known, units: &PreferredUnits, largest: f64) -> Reading {
+        match known.strand_radius {
+            Some(_) => Self::turning(known, units, largest),
+            None => Self::Number.reading(known, units, largest),
+        }
+    }
+
     fn dimensionless(self) -> Reading {
         let (factor, unit) = match self {
             Self::Number => (1.0, ""),

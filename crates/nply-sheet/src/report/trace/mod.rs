@@ -79,6 +79,10 @@ impl TraceReport {
         for (case, to) in cases.iter().zip(&data) {
             same_kind(case, &from, to)?;
         }
+        if let Some(limit) = walk.curvature_limit.filter(|limit| !(*limit > 0.0 && limit.is_finite())) {
+            let message = format!("{limit} limits nothing: give a bending strain greater than 0, such as 0.01");
+            return Err(SpecError::new(ErrorKind::Domain, crate::Place::Flag("curvature-limit".to_owned()), message));
+        }
         let route = Route { curvature_limit: walk.curvature_limit, ..Route::default() };
         let path =
             |from, to, case: &Case| Path::new(first.strands, from, to, contacts).map_err(|error| case.locate(&error));
@@ -90,6 +94,7 @@ impl TraceReport {
         for (case, &to) in cases.iter().zip(&data).skip(1) {
             let Some(start) = here else { break };
             from.ends = taken_over(from.ends, to.ends, &start);
+            let to = Data { ends: unnamed_stay(from.ends, to.ends, case), ..to };
             let path = path(from, to, case)?;
             let trace = path.trace(&Station { along: 0.0, ..start }, &route).map_err(|error| case.locate(&error))?;
             here = trace.stations.last().copied().filter(|_| trace.end == End::Arrival);
@@ -163,8 +168,7 @@ impl TraceReport {
                     happened(event)
                 ),
                 _ => format!(
-                    "On leg {leg} the stable states end at {}: {}, and the ply jumps. Stable there: {}. The branch is followed on all the \
-                     same.",
+                    "On leg {leg} the stable states end at {}: {}, and it jumps. Stable there: {}. The branch is followed on all the same.",
                     brief(at),
                     happened(event),
                     landing.join(", ")
@@ -263,4 +267,23 @@ fn taken_over(from: Ends, to: Ends, start: &Station) -> Ends {
         Ends::Rotation { .. } => Ends::Rotation { rotation: start.rotation(), force: start.load.force },
         Ends::Length { .. } => Ends::Length { extension: start.extension(), moment: start.load.moment },
     }
+}
+
+/// What a leg leads to, with the loads that nobody gave as they are: one that held a displacement before is found, and stays.
+fn unnamed_stay(from: Ends, mut to: Ends, case: &Case) -> Ends {
+    let stays = |load: &mut f64, was: f64, datum| {
+        if !case.gives(datum) {
+            *load = was;
+        }
+    };
+    match (from, &mut to) {
+        (Ends::Loads(was), Ends::Loads(load)) => {
+            stays(&mut load.force, was.force, Datum::Force);
+            stays(&mut load.moment, was.moment, Datum::Moment);
+        }
+        (Ends::Rotation { force: was, .. }, Ends::Rotation { force, .. }) => stays(force, was, Datum::Force),
+        (Ends::Length { moment: was, .. }, Ends::Length { moment, .. }) => stays(moment, was, Datum::Moment),
+        _ => {}
+    }
+    to
 }

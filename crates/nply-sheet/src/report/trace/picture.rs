@@ -4,8 +4,9 @@ use nply::mechanics::{Data, Ends, Mark, Stability, Station, Twist};
 
 use super::words::what;
 use super::{TraceReport, data_of};
+use crate::PreferredUnits;
 use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape, Picture};
-use crate::report::Measure;
+use crate::report::{Known, Measure, Reading};
 
 /// Stations of one verdict in a row, with their legs: its name, whether it is dashed.
 type Run<'t> = (&'static str, bool, Vec<(usize, &'t Station)>);
@@ -19,7 +20,7 @@ impl TraceReport {
         let axis = |of: &Across| Axis::new(of.name.clone(), of.unit.clone());
         let reading = |measure: Measure, largest: f64| match self.cases.first() {
             Some(case) => measure.reading(known, &case.units, largest),
-            None => measure.reading(known, &crate::PreferredUnits::default(), largest),
+            None => measure.reading(known, &PreferredUnits::default(), largest),
         };
         let signed = |s: &Station| s.handedness.sign() * s.angle.degrees();
         let largest = self.stations().fold(0.0, |most: f64, (_, s)| most.max(s.resultant_pressure.abs()));
@@ -81,7 +82,7 @@ impl TraceReport {
     /// What the picture's horizontal axis shows.
     fn across(&self) -> Across {
         let shares = || Across {
-            name: "leg, and share of it".to_owned(),
+            name: "legs walked".to_owned(),
             unit: String::new(),
             of: Box::new(|leg, station| leg as f64 - 1.0 + station.along),
         };
@@ -91,7 +92,7 @@ impl TraceReport {
         let changing: Vec<&Datum> = DATA.iter().filter(|datum| (datum.of)(&a) != (datum.of)(&b)).collect();
         let [datum] = changing[..] else { return shares() };
         let largest = [&a, &b].into_iter().filter_map(|data| (datum.of)(data)).fold(0.0, |m: f64, v| m.max(v.abs()));
-        let reading = datum.measure.reading(known, &from.units, largest);
+        let reading = (datum.reading)(known, &from.units, largest);
         let factor = reading.factor;
         let of = datum.at;
         Across {
@@ -103,53 +104,57 @@ impl TraceReport {
 }
 
 /// The value at a station of a leg.
-type Reading = dyn Fn(usize, &Station) -> f64;
+type At = dyn Fn(usize, &Station) -> f64;
 
 /// What the horizontal axis of a picture shows.
 struct Across {
     name: String,
     unit: String,
-    of: Box<Reading>,
+    of: Box<At>,
 }
 
 /// A datum that can change along a path: how it reads in the data, and at a station.
 struct Datum {
     label: &'static str,
-    measure: Measure,
+    reading: fn(Known, &PreferredUnits, f64) -> Reading,
     of: fn(&Data) -> Option<f64>,
     at: fn(&Station) -> f64,
 }
 
-const DATA: &[Datum] = {
-    use Measure::{Force, Length, Moment, Number};
-    &[
-        Datum { label: "end force", measure: Force, of: |d| force(d.ends), at: |s| s.load.force },
-        Datum { label: "end moment", measure: Moment, of: |d| moment(d.ends), at: |s| s.load.moment },
-        Datum {
-            label: "turns × 2πr per strand length",
-            measure: Number,
-            of: |d| rotation(d.ends),
-            at: Station::rotation,
-        },
-        Datum { label: "ply length/strand length", measure: Number, of: |d| extension(d.ends), at: Station::extension },
-        Datum { label: "pretwist", measure: Number, of: |d| pretwist(d.twist), at: Station::pretwist },
-        Datum {
-            label: "strand twist r u₃", measure: Number, of: |d| strand_twist(d.twist), at: Station::strand_twist
-        },
-        Datum {
-            label: "stiffness ratio C/B",
-            measure: Number,
-            of: |d| Some(d.stiffness_ratio),
-            at: |s| s.stiffness_ratio,
-        },
-        Datum {
-            label: "core radius",
-            measure: Length,
-            of: |d| d.core_radius,
-            at: |s| s.core_radius.unwrap_or(f64::NAN),
-        },
-    ]
-};
+const DATA: &[Datum] = &[
+    Datum {
+        label: "end force",
+        reading: |k, u, largest| Measure::Force.reading(k, u, largest),
+        of: |d| force(d.ends),
+        at: |s| s.load.force,
+    },
+    Datum {
+        label: "end moment",
+        reading: |k, u, largest| Measure::Moment.reading(k, u, largest),
+        of: |d| moment(d.ends),
+        at: |s| s.load.moment,
+    },
+    Datum {
+        label: "turns per strand length",
+        reading: Measure::turning,
+        of: |d| rotation(d.ends),
+        at: Station::rotation,
+    },
+    Datum { label: "ply length/strand length", reading: number, of: |d| extension(d.ends), at: Station::extension },
+    Datum { label: "pretwist", reading: Measure::twist, of: |d| pretwist(d.twist), at: Station::pretwist },
+    Datum { label: "strand twist", reading: Measure::twist, of: |d| strand_twist(d.twist), at: Station::strand_twist },
+    Datum { label: "stiffness ratio C/B", reading: number, of: |d| Some(d.stiffness_ratio), at: |s| s.stiffness_ratio },
+    Datum {
+        label: "core radius",
+        reading: |k, u, largest| Measure::Length.reading(k, u, largest),
+        of: |d| d.core_radius,
+        at: |s| s.core_radius.unwrap_or(f64::NAN),
+    },
+];
+
+fn number(_: Known, _: &PreferredUnits, _: f64) -> Reading {
+    Reading { factor: 1.0, unit: String::new() }
+}
 
 const fn force(ends: Ends) -> Option<f64> {
     match ends {

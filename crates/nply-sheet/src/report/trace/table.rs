@@ -21,12 +21,14 @@ const STATION: &[Item<Station>] = {
     &[
         item("", "helical_angle_deg", "angle", Degrees, |s| Some(s.angle.degrees())),
         item("", "radius_ratio", "R/r", Number, |s| Some(s.radius_ratio)),
-        item("", "extension", "length", Number, |s| Some(s.extension())),
+        item("", "extension", "length ratio", Number, |s| Some(s.extension())),
         item("", "rotation", "", Number, |s| Some(s.rotation())),
-        item("", "turns_per_strand_length", "", TurnsPerLength, |s| Some(s.rotation().abs() / TAU)),
+        item("", "turns_per_strand_length", "turns", TurnsPerLength, |s| Some(s.rotation().abs() / TAU)),
         item("", "curvature", "", Measure::PerLength, |s| Some(s.curvature())),
         item("", "pretwist", "pretwist", Number, |s| Some(s.pretwist())),
+        item("", "pretwist_per_length", "pretwist", TurnsPerLength, |s| Some(s.pretwist() / TAU)),
         item("", "strand_twist", "r u₃", Number, |s| Some(s.strand_twist())),
+        item("", "strand_twist_per_length", "strand twist", TurnsPerLength, |s| Some(s.strand_twist() / TAU)),
         item("", "stiffness_ratio", "C/B", Number, |s| Some(s.stiffness_ratio)),
         item("", "core_radius", "core", Length, |s| s.core_radius),
         item("", "force", "force", Force, |s| Some(s.load.force)),
@@ -71,10 +73,9 @@ impl TraceReport {
             !item.label.is_empty()
                 && (ALWAYS.contains(&name)
                     || of_core(item)
-                    || ["pretwist", "strand_twist", "stiffness_ratio", "core_radius"].contains(&name)
-                        && self.given(name)
-                        && changes(item)
-                    || name == "extension" && self.legs.iter().any(|leg| leg.holding == Holding::Length))
+                    || self.given(name) && changes(item)
+                    || name == "extension" && self.holds(Holding::Length)
+                    || name == "turns_per_strand_length" && self.holds(Holding::Rotation))
         };
         let columns: Vec<(&str, Row)> =
             STATION.iter().filter(kept).filter_map(|item| Some((item.label, column(item, reader, &all)?))).collect();
@@ -96,14 +97,22 @@ impl TraceReport {
         rows
     }
 
-    /// Whether a number is one of the data, and not found.
+    fn holds(&self, holding: Holding) -> bool {
+        self.legs.iter().any(|leg| leg.holding == holding)
+    }
+
+    /// Whether a number is one of the data besides the ends', and not found; a twist as turns per length where the strand has a size.
     fn given(&self, name: &str) -> bool {
         let held = |case: &Case| data_of(case).is_ok_and(|data| matches!(data.twist, Twist::StrandTwist(_)));
         let strand_twist = self.cases.first().is_some_and(held);
+        let per_length = self.known().strand_radius.is_some();
         match name {
-            "pretwist" => !strand_twist,
-            "strand_twist" => strand_twist,
-            _ => true,
+            "pretwist" => !strand_twist && !per_length,
+            "pretwist_per_length" => !strand_twist && per_length,
+            "strand_twist" => strand_twist && !per_length,
+            "strand_twist_per_length" => strand_twist && per_length,
+            "stiffness_ratio" | "core_radius" => true,
+            _ => false,
         }
     }
 
@@ -197,6 +206,10 @@ impl TraceReport {
 fn column(item: &Item<Station>, reader: &Reader<'_>, all: &[Station]) -> Option<Row> {
     const NOTHING: f64 = 1e-13;
     let mut row = reader.row(item, "", all)?;
+    // a radius is never nothing, however far free helices open
+    if item.measure == Measure::Number {
+        return Some(row);
+    }
     let largest = all.iter().filter_map(|station| item.of(station)).fold(0.0, |most: f64, v| most.max(v.abs()));
     for (cell, station) in row.cells.iter_mut().zip(all) {
         if item.of(station).is_some_and(|value| value.abs() < NOTHING * largest) {

@@ -3,6 +3,12 @@
 use nply::Handedness;
 use nply::mechanics::{End, Event, Mark, Station, Support};
 
+/// Whether neighbours have to pull, and not only by the rounding of a pressure that is 0.
+fn pulls(station: &Station) -> bool {
+    const NOTHING: f64 = 1e-14;
+    station.interstrand_pressure < -NOTHING
+}
+
 /// A state in a few words.
 pub(super) fn brief(station: &Station) -> String {
     // 0.000° in the words below
@@ -11,7 +17,7 @@ pub(super) fn brief(station: &Station) -> String {
     }
     let side = if station.handedness == Handedness::Right { "right" } else { "left" };
     let how = match station.support {
-        Support::Neighbours if station.is_separated() => ", p < 0",
+        Support::Neighbours if pulls(station) => ", p < 0",
         Support::Neighbours => "",
         Support::Core => " on the core",
         Support::Both => " touching on the core",
@@ -22,7 +28,7 @@ pub(super) fn brief(station: &Station) -> String {
 
 pub(super) fn carried_by(station: &Station) -> &'static str {
     match station.support {
-        Support::Neighbours if station.is_separated() => "pulling",
+        Support::Neighbours if pulls(station) => "pulling",
         Support::Neighbours => "neighbours",
         Support::Core => "core",
         Support::Both => "both",
