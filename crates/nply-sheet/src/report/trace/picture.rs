@@ -210,5 +210,6 @@ const fn shape(mark: Mark) -> (MarkerShape, usize) {
         Mark::MostTurns => (MarkerShape::Triangle, 4),
         Mark::CurvatureLimit => (MarkerShape::Plus, 5),
         Mark::Straight => (MarkerShape::Square, 6),
+        Mark::Buckling => (MarkerShape::Circle, 3),
     }
 }

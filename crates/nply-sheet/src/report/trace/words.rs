@@ -67,6 +67,7 @@ const fn word(event: &Event) -> &'static str {
         Mark::MostTurns => "most turns",
         Mark::CurvatureLimit => "curvature limit",
         Mark::Straight => "straight",
+        Mark::Buckling => "buckles",
     }
 }
 

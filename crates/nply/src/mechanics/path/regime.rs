@@ -255,7 +255,10 @@ impl Here {
         match regime {
             Regime::Kept(_) => marks.push((Mark::Separation, outward)),
             Regime::On(Support::Neighbours) => {
-                marks.push((to(Support::Free), outward));
+                // straight strands neither press nor part; under a thrust they buckle
+                let straight = self.angle.sin() == 0.0;
+                marks.push((to(Support::Free), if straight { 0.0 } else { outward }));
+                marks.push((Mark::Buckling, if straight { self.potential.force } else { f64::NAN }));
                 marks.extend(core_gap.map(|gap| (to(Support::Both), gap)));
             }
             Regime::On(Support::Core) => marks.extend([(to(Support::Free), outward), (to(Support::Both), gap)]),
@@ -277,13 +280,13 @@ impl Here {
         marks
     }
 
-    /// How neighbours and core share the load on both: the multipliers of Y ≤ touching and of Y ≤ sin θ/ρ_core.
+    /// How neighbours and core share the load on both: the multipliers of Y ≤ touching and of Y ≤ sin θ/ρ_core,
     fn shares(&self) -> [f64; 2] {
         let Some(core) = self.on_core else { return [f64::NAN; 2] };
         let (slope, at) = (self.c / core.value, &self.slopes);
-        let lever = self.share * slope; // cos θ/ρ − dY/dΘ of touching strands
-        let neighbours = -self.eps * (at.by_angle + at.by_rotation * slope) / lever;
-        let core = self.eps * (at.by_angle + at.by_rotation * self.touching.slope) / lever;
+        // times their lever, cos θ/ρ − dY/dΘ of touching strands, which vanishes with θ
+        let neighbours = -self.eps * (at.by_angle + at.by_rotation * slope);
+        let core = self.eps * (at.by_angle + at.by_rotation * self.touching.slope);
         [neighbours, core]
     }
 }

@@ -58,6 +58,8 @@ pub enum Mark {
     CurvatureLimit,
     /// θ = 0: the strands are straight, and the hand changes.
     Straight,
+    /// Straight strands come under a thrust, under which each buckles by itself.
+    Buckling,
 }
 
 impl Mark {
@@ -73,6 +75,7 @@ impl Mark {
             Self::MostTurns => "most_turns",
             Self::CurvatureLimit => "curvature_limit",
             Self::Straight => "straight",
+            Self::Buckling => "buckling",
         }
     }
 }
@@ -134,6 +137,18 @@ impl Station {
         self.interstrand_pressure < 0.0
     }
 
+    /// Whether two stations are the same place, to rounding.
+    pub(super) fn is_at(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+        near(self.along, other.along)
+            && near(self.signed_angle(), other.signed_angle())
+            && near(self.rotation(), other.rotation())
+    }
+
+    fn signed_angle(&self) -> f64 {
+        self.handedness.sign() * self.angle.radians()
+    }
+
     fn at(state: &SupportedState, stability: Option<Stability>) -> Self {
         Self {
             along: 0.0,
@@ -152,6 +167,9 @@ impl Station {
         }
     }
 }
+
+/// What rounding leaves of a pressure, per load.
+const PRESSURE_ROUNDING: f64 = 1e-15;
 
 impl Path {
     /// The station at given coordinates of a regime.
@@ -175,6 +193,21 @@ impl Path {
         let place = Place { strands: self.strands, handedness, angle: here.angle, radius_ratio, on_core };
         let state = SupportedState::new(support, place, data.stiffness_ratio, data.twist, load);
         let mut station = Station { along: z[3], ..Station::at(&state, Some(state.stability(self.holding()))) };
+        if here.angle.sin() == 0.0 && regime == Regime::On(Support::Neighbours) {
+            // neighbours do not bound how straight strands may lean and bow: E = −(f/n) cos Θ falls away from them under a thrust
+            station.stability = Some(Stability::of(load.force, 0.0));
+        }
+        if let Regime::On(_) = regime {
+            // where a contact opens or closes, its pressure is nothing but rounding
+            let size = PRESSURE_ROUNDING * (1.0 + load.force.abs() + load.moment.abs());
+            for pressure in
+                [&mut station.interstrand_pressure, &mut station.core_pressure, &mut station.resultant_pressure]
+            {
+                if pressure.abs() < size {
+                    *pressure = 0.0;
+                }
+            }
+        }
         if self.contacts == Contacts::Kept(Balance::Radial) {
             // p̂, which contact balance counts as 2p₁/ρ
             let outward = 2.0 * state.interstrand_pressure() / radius_ratio;

@@ -20,6 +20,21 @@ pub struct Trace {
     pub end: End,
 }
 
+impl Trace {
+    /// Adds an event, if it is not the last one seen again.
+    fn push(&mut self, event: Event) {
+        let same = |last: &Event| last.mark == event.mark && last.station.is_at(&event.station) && event.jump.is_none();
+        if !self.events.last().is_some_and(same) {
+            self.events.push(event);
+        }
+    }
+
+    /// Whether a station is where the last one is.
+    fn near_last(&self, station: &Station) -> bool {
+        self.stations.last().is_some_and(|last| last.is_at(station))
+    }
+}
+
 /// Why a walk ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
@@ -55,8 +70,12 @@ impl End {
 /// The shortest step, and the most of them.
 const SHORTEST: f64 = 1e-11;
 const MOST_STEPS: usize = 100_000;
-/// A found load of so many times the size of the loads on the path is without bound.
-const UNBOUNDED: f64 = 20.0;
+/// Changes of contacts in one place before the walk gives up.
+const MOST_CHANGES: usize = 4;
+/// A found load of 10⁹ times the size of the loads on the path is without bound: its area hyperbolic sine.
+const UNBOUNDED: f64 = 21.4;
+/// A direction along which the share of the path does not change, but for rounding.
+const NOISE: f64 = 1e-10;
 /// A turn of the direction (cosine) that asks for a shorter step.
 const STRAIGHT_ON: f64 = 0.985;
 
@@ -83,14 +102,21 @@ impl Path {
         };
         let unit = self.load_unit(start);
         let place = [start.handedness.sign() * start.angle.radians(), start.rotation()];
-        let mut walk =
-            Walk { path: self, route, unit, regime, z: self.coordinates(place, start.load), ahead: [0.0; 4] };
-        walk.z[2] /= unit;
+        let mut walk = Walk {
+            path: self,
+            route,
+            unit,
+            regime,
+            z: self.coordinates(place, start.load),
+            ahead: [0.0; 4],
+            sense: 1.0,
+        };
+        walk.z[2] = libm::asinh(walk.z[2] / unit);
         let refused = |what| DomainError { quantity: "start", value: start.angle.radians(), allowed: what };
         walk.z = walk.settled(walk.z).ok_or_else(|| refused("a state in equilibrium at the beginning of the path"))?;
         walk.ahead = walk.tangent(&walk.z).ok_or_else(|| refused("a state from which the path leads on"))?;
         if walk.ahead[3] < 0.0 {
-            walk.ahead = walk.ahead.map(|x| -x);
+            walk.turn_round();
         }
         Ok(walk.run())
     }
@@ -105,7 +131,8 @@ impl Path {
     fn landings(&self, from: &Station, along: f64) -> Vec<Station> {
         let past = Self { from: self.data(along), to: self.to, ..*self };
         let mut stations = past.starts().unwrap_or_default();
-        stations.retain(|station| station.stability == Some(Stability::Stable));
+        // straight strands, and what rounding leaves of the state itself, are no place to jump to
+        stations.retain(|s| s.stability == Some(Stability::Stable) && s.angle.radians() > 1e-6 && !s.is_at(from));
         let signed = |station: &Station| station.handedness.sign() * station.angle.radians();
         stations.iter_mut().for_each(|station| station.along = along);
         stations.sort_by(|a, b| (signed(a) - signed(from)).abs().total_cmp(&(signed(b) - signed(from)).abs()));
@@ -123,71 +150,107 @@ struct Walk<'a> {
     z: Vector,
     /// the direction of the branch, on in the sense of the walk
     ahead: Vector,
+    /// whether the walk goes in the sense of [`direction`] (1.0) or against it (−1.0): the same all along a branch, so that a step onto
+    /// another one shows
+    sense: f64,
 }
 
 impl Walk<'_> {
     fn run(mut self) -> Trace {
         let mut trace = Trace { stations: vec![self.station(&self.z)], events: Vec::new(), end: End::Stalled };
-        let mut step = 0.25 * self.route.step;
+        let (mut step, mut changes_here) = (0.25 * self.route.step, 0);
         for _ in 0..MOST_STEPS {
             let stride = self.stride(step).and_then(|(z, ahead)| Some((z, ahead, self.between(&z, &ahead, step)?)));
-            let Some((next, ahead, found)) = stride else {
+            let Some((next, ahead, mut found)) = stride else {
                 step *= 0.5;
                 if step < SHORTEST {
                     if self.path.strands == 2 && self.round_the_corner(&mut trace) {
                         step = 0.25 * self.route.step;
                         continue;
                     }
+                    // helices that had to turn through straight strands that lean
+                    if self.regime == Regime::On(Support::Free) && self.z[1].abs() < 1e-3 * libm::sin(self.z[0].abs()) {
+                        trace.end = End::Apart;
+                    }
                     return trace;
                 }
                 continue;
             };
+            let border = self.border(&next, step);
+            if let Some((at, _)) = border {
+                found.retain(|event| event.1 <= at);
+            }
             let mut changed = false;
             for (mark, at, z) in found {
                 let station = self.station(&z);
                 let before = trace.stations.len();
-                let past = z[3] + self.ahead[3].signum() * 1e-9;
-                let ended = if let Mark::ContactChange(support) = mark {
-                    let stable = trace.stations.last().is_some_and(|last| last.stability == Some(Stability::Stable));
-                    if !self.change(support, z) {
-                        trace.stations.push(station);
-                        return trace;
+                let past = z[3] + self.ahead[3].signum() * 1e-11;
+                let stable = trace.stations.last().is_some_and(|last| last.stability == Some(Stability::Stable));
+                let (ended, barred) = match mark {
+                    Mark::ContactChange(support) => {
+                        changed = true;
+                        let barred = !self.change(support, z);
+                        (stable && (barred || !self.stable_ahead()), barred)
                     }
-                    changed = true;
-                    stable && !self.stable_ahead()
-                } else {
-                    mark == Mark::Fold && self.stable_before(&z, at)
+                    Mark::Fold => (self.stable_before(&z, at), false),
+                    Mark::Buckling => (stable, false),
+                    _ => (false, false),
                 };
                 let jump = ended.then(|| self.path.landings(&station, past));
-                trace.events.push(Event { mark, station, before, jump });
-                if mark == Mark::Arrival && self.route.stop_at_arrival {
+                trace.push(Event { mark, station, before, jump });
+                if barred || mark == Mark::Arrival && self.route.stop_at_arrival {
                     trace.stations.push(station);
-                    trace.end = End::Arrival;
+                    trace.end = if barred { End::Stalled } else { End::Arrival };
                     return trace;
                 }
             }
             if changed {
+                changes_here = if trace.near_last(&self.station(&self.z)) { changes_here + 1 } else { 0 };
                 trace.stations.push(self.station(&self.z));
+                if changes_here > MOST_CHANGES {
+                    return trace; // contacts that open and close on the spot
+                }
                 step = 0.25 * self.route.step;
                 continue;
             }
+            if let Some((_, z)) = border {
+                trace.stations.push(self.station(&z));
+                trace.end = End::LeftWindow;
+                return trace;
+            }
             (self.z, self.ahead) = (next, ahead);
+            trace.stations.push(self.station(&self.z));
             if let Some(end) = self.ended() {
                 trace.end = end;
                 return trace;
             }
-            trace.stations.push(self.station(&self.z));
             step = (1.5 * step).min(self.route.step);
         }
         trace
     }
 
-    fn ended(&self) -> Option<End> {
-        let [signed, rotation, load, along] = self.z;
+    /// Where a step leaves the stretch that may be walked on, if it does.
+    fn border(&self, next: &Vector, step: f64) -> Option<(f64, Vector)> {
         let (low, high) = self.route.window;
-        if !(low..=high).contains(&along) {
-            Some(End::LeftWindow)
-        } else if signed.abs() >= FLATTEST {
+        if (low..=high).contains(&next[3]) {
+            return None;
+        }
+        let limit = if next[3] < low { low } else { high };
+        let beyond = |z: &Vector| (z[3] < limit) == (next[3] < limit);
+        let (mut inside, mut outside, mut place) = (0.0, step, *next);
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            match self.arrive(middle) {
+                Some(z) if beyond(&z) => (outside, place) = (middle, z),
+                _ => inside = middle,
+            }
+        }
+        Some((outside, place))
+    }
+
+    fn ended(&self) -> Option<End> {
+        let [signed, rotation, load, _] = self.z;
+        if signed.abs() >= FLATTEST {
             Some(End::FlatRings)
         } else if self.regime.support() == Support::Free && rotation * signed.signum() < 1e-6 * libm::sin(signed.abs())
         {
@@ -203,9 +266,10 @@ impl Walk<'_> {
         self.path.station(self.regime, self.physical(z))
     }
 
-    /// Coordinates with the found load in its own unit.
+    /// Coordinates with the found load itself: loads of the size of those on the path are walked evenly, larger ones by their order of
+    /// magnitude.
     fn physical(&self, z: &Vector) -> Vector {
-        [z[0], z[1], z[2] * self.unit, z[3]]
+        [z[0], z[1], libm::sinh(z[2]) * self.unit, z[3]]
     }
 
     fn here(&self, z: &Vector) -> Here {
@@ -216,7 +280,8 @@ impl Walk<'_> {
     fn equations(&self, z: &Vector) -> ([f64; 3], [Vector; 3]) {
         let equations = self.here(z).equations(self.regime);
         let values = [0, 1, 2].map(|i| equations[i].value);
-        let rows = equations.map(|e| [e.slopes[0], e.slopes[1], e.slopes[2] * self.unit, e.slopes[3]]);
+        let unit = libm::cosh(z[2]) * self.unit;
+        let rows = equations.map(|e| [e.slopes[0], e.slopes[1], e.slopes[2] * unit, e.slopes[3]]);
         (values, rows)
     }
 
@@ -268,16 +333,40 @@ impl Walk<'_> {
         None
     }
 
+    fn turn_round(&mut self) {
+        self.ahead = self.ahead.map(|x| -x);
+        self.sense = -self.sense;
+    }
+
+    /// The direction at a place, in the sense of the walk.
+    fn onward(&self, z: &Vector) -> Option<Vector> {
+        self.tangent(z).map(|ahead| ahead.map(|x| self.sense * x))
+    }
+
     /// The next place and the direction there, if the step is short enough for the branch's bends.
-    fn stride(&self, step: f64) -> Option<(Vector, Vector)> {
+    fn stride(&mut self, step: f64) -> Option<(Vector, Vector)> {
         let next = self.arrive(step)?;
-        let mut ahead = self.tangent(&next)?;
+        let free = self.regime == Regime::On(Support::Free);
+        let shared = self.regime == Regime::On(Support::Both);
+        if free && next[0] * next[1] <= 0.0 || (free || shared) && next[0] * self.z[0] < 0.0 {
+            return None; // helices that would turn through each other, or through straight strands
+        }
+        let ahead = self.onward(&next)?;
         let along = dot(&ahead, &self.ahead);
-        if along < 0.0 {
-            ahead = ahead.map(|x| -x);
+        if along > STRAIGHT_ON {
+            return Some((next, ahead));
+        }
+        if along < -STRAIGHT_ON {
+            // where branches cross the sense changes, and the walk goes straight on; another branch would lie aside
+            let aside = (0..4).map(|i| (next[i] - self.z[i] - step * self.ahead[i]).abs()).fold(0.0, f64::max);
+            let corner = (self.z[0].abs() - FRAC_PI_4) * (next[0].abs() - FRAC_PI_4) <= 0.0 && self.path.strands == 2;
+            return (aside < 1e-3 * step && !corner).then(|| {
+                self.sense = -self.sense;
+                (next, ahead.map(|x| -x))
+            });
         }
         // at a corner of the branch no step is short enough
-        (along.abs() > STRAIGHT_ON || step < 1e-8).then_some((next, ahead))
+        (step < 1e-8).then_some((next, ahead))
     }
 
     /// The numbers whose change of sign is an event, with the fold's.
@@ -302,14 +391,17 @@ impl Walk<'_> {
         self.z = z;
         let Some(ahead) = self.tangent(&z) else { return false };
         let before = self.ahead[3];
-        self.ahead = if ahead[0] * onward < 0.0 { ahead.map(|x| -x) } else { ahead };
+        (self.ahead, self.sense) = (ahead, 1.0);
+        if ahead[0] * onward < 0.0 {
+            self.turn_round();
+        }
         let (station, at) = (self.station(&corner), trace.stations.len());
         if before * self.ahead[3] < 0.0 {
             let ended = trace.stations.last().is_some_and(|last| last.stability == Some(Stability::Stable));
-            let jump = ended.then(|| self.path.landings(&station, corner[3] + before.signum() * 1e-9));
-            trace.events.push(Event { mark: Mark::Fold, station, before: at, jump });
+            let jump = ended.then(|| self.path.landings(&station, corner[3] + before.signum() * 1e-11));
+            trace.push(Event { mark: Mark::Fold, station, before: at, jump });
         }
-        trace.events.push(Event { mark: Mark::Diagonal, station, before: at, jump: None });
+        trace.push(Event { mark: Mark::Diagonal, station, before: at, jump: None });
         trace.stations.push(self.station(&self.z));
         true
     }
@@ -320,11 +412,16 @@ impl Walk<'_> {
         let (before, after) = (self.marks(&self.z, &self.ahead), self.marks(next, ahead));
         let mut found = Vec::new();
         for (i, ((mark, a), (_, b))) in before.iter().zip(&after).enumerate() {
-            let opens = matches!(mark, Mark::ContactChange(_));
-            let crossed = if opens { *b < 0.0 && *a > -1e-12 } else { *a < 0.0 && *b >= 0.0 || *a > 0.0 && *b <= 0.0 };
+            let crossed = match mark {
+                // a contact that does not hold any more, whatever it was before
+                Mark::ContactChange(_) => *b < 0.0,
+                Mark::Fold if a.abs() < NOISE && b.abs() < NOISE => false,
+                _ => *a < 0.0 && *b >= 0.0 || *a > 0.0 && *b <= 0.0,
+            };
             if crossed {
                 let (at, mut z) = self.locate(i, *b < 0.0, step, next)?;
-                if *mark == Mark::Diagonal {
+                let at_corner = self.path.strands == 2 && *mark == Mark::Fold && (z[0].abs() - FRAC_PI_4).abs() < 1e-7;
+                if *mark == Mark::Diagonal || at_corner {
                     // two strands have a corner here, next to which a step converges slowly
                     z = self.settled_at_angle([z[0].signum() * FRAC_PI_4, z[1], z[2], z[3]]).unwrap_or(z);
                 }
@@ -366,14 +463,15 @@ impl Walk<'_> {
         self.regime = Regime::On(support);
         self.z = self.settled(z).unwrap_or(z);
         let Some(ahead) = self.tangent(&self.z) else { return false };
+        let probe = (1e-4 * self.z[0].abs()).clamp(1e-10, 1e-6);
         // the contact that opens must open, the one that closes must press
         let watched = |walk: &Self, z: &Vector| {
             let marks = walk.here(z).marks(walk.regime, None);
             marks.iter().find(|(mark, _)| *mark == Mark::ContactChange(old)).map(|(_, value)| *value)
         };
         for sense in [1.0, -1.0] {
-            self.ahead = ahead.map(|x| sense * x);
-            let Some(probe) = self.arrive(1e-6) else { continue };
+            (self.ahead, self.sense) = (ahead.map(|x| sense * x), sense);
+            let Some(probe) = self.arrive(probe) else { continue };
             if watched(self, &probe).is_some_and(|value| value > 0.0) {
                 return true;
             }
