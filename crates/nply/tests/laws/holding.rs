@@ -208,8 +208,7 @@ proptest! {
 proptest! {
     #![proptest_config(config(600))]
 
-    /// Strands lift off their core where a free helix lies on it: p_c = 0, both slopes of the energy vanish, and on either side of these loads
-    /// the core carries and does not.
+    /// Strands lift off their core where a free helix lies on it: p_c = 0 and both slopes of the energy vanish.
     #[test]
     fn strands_lift_off_their_core_where_free_helices_lie_on_it(
         n in 2..9_u32, gamma in 0.4..1.5, twist in -1.5..1.5, given in -2.0..2.0, core in 0.2..3.0, by_force in any::<bool>(),
@@ -229,17 +228,10 @@ proptest! {
             let g = 2.0 * strands * s.powi(3) * c + eps * strands * rho * gamma * state.strand_twist() * (c * c - s * s)
                 + rho * rho * load.force * s - eps * rho * load.moment * c;
             prop_assert!(g.abs() < 1e-12 * strands * rho * rho * (1.0 + load.force.abs() + load.moment.abs()), "{g} {state:?}");
-            if !(0.1..1.4).contains(&state.angle().radians()) || state.neighbour_gap() < 1e-2 { continue; }
-            // the core's pressure a little to either side; it changes its sign, or touches zero where it is about to
-            let pressed = |load: Load| {
-                let states = ply.supported_states(twist, load, Some(core)).unwrap();
-                let near = states.iter().find(|near| near.support() == Support::Core
-                    && near.handedness() == state.handedness() && (near.angle().radians() - state.angle().radians()).abs() < 1e-2);
-                near.map_or(0.0, SupportedState::core_pressure)
-            };
-            let step = 1e-5;
-            let aside = |by: f64| if by_force { Load { moment: load.moment + by, ..load } } else { Load { force: load.force + by, ..load } };
-            prop_assert!(pressed(aside(step)).min(pressed(aside(-step))) < 1e-7, "{state:?}");
+            // and a helix that nothing carries is in equilibrium there too
+            let free = ply.supported_states(twist, load, None).unwrap();
+            let near = |s: &SupportedState| s.support() == Support::Free && (s.radius_ratio() / rho - 1.0).abs() < 1e-5;
+            prop_assert!(state.neighbour_gap() < 1e-3 || s < 0.05 || rho * s < 0.05 || free.iter().any(near), "{state:?}");
         }
     }
 }
