@@ -67,140 +67,119 @@ Prints the lays at which touching strands are special: zero twist (the most turn
 close packed, the cut across the ply turning non-convex, and for two strands the lock-up of line contact. With
 --strands 1, the densest helix of a single tube.";
 
-/// `nply` with its subcommands.
+/// `nply` with its subcommands. What a subcommand takes is only made when it is called.
 pub(crate) fn command() -> Command {
+    let sub =
+        |name: &'static str, about: &'static str, long: &'static str| Command::new(name).about(about).long_about(long);
     Command::new("nply")
         .version(env!("CARGO_PKG_VERSION"))
         .about("Geometry and mechanics of ropes, yarns, cords, DNA: n elastic strands coiled round each other")
         .after_help(EXAMPLES)
         .subcommand_required(true)
         .arg_required_else_help(true)
+        .subcommand(sub("solve", "Every equilibrium state of one ply", SOLVE).after_help(EXAMPLES).defer(solve))
         .subcommand(
-            with_keys(
-                Command::new("solve")
-                    .about("Every equilibrium state of one ply")
-                    .long_about(SOLVE)
-                    .after_help(EXAMPLES),
-                |_| true,
-            )
-            .arg(format())
-            .arg(json()),
+            sub("support", "What carries the strands: neighbours, a core, both, or nothing", SUPPORT)
+                .after_help(EXAMPLES)
+                .defer(support),
         )
-        .subcommand(
-            with_keys(
-                Command::new("support")
-                    .about("What carries the strands: neighbours, a core, both, or nothing")
-                    .long_about(SUPPORT)
-                    .after_help(EXAMPLES),
-                |key| key.table != Table::Lay,
-            )
-            .arg(format())
-            .arg(json()),
+        .subcommand(sub("trace", "Follow a ply along a path", TRACE).after_help(EXAMPLES).defer(trace))
+        .subcommand(sub("map", "Every state over two data", MAP).after_help(EXAMPLES).defer(map))
+        .subcommand(sub("locus", "The loads at which touching strands part", LOCUS).after_help(EXAMPLES).defer(locus))
+        .subcommand(sub("contact", "Geometry alone: how strands touch at a lay", CONTACT).defer(contact))
+        .subcommand(sub("lays", "The distinguished lays of n strands", LAYS).defer(lays))
+}
+
+fn solve(command: Command) -> Command {
+    with_keys(command, |_| true).arg(format()).arg(json())
+}
+
+fn support(command: Command) -> Command {
+    with_keys(command, |key| key.table != Table::Lay).arg(format()).arg(json())
+}
+
+fn trace(command: Command) -> Command {
+    let command = with_keys(command, |key| key.table != Table::Lay && key.name != "separation");
+    corners(command, "to-", "Where the path leads")
+        .arg(
+            Arg::new("start")
+                .long("start")
+                .value_name("STATE")
+                .value_parser(value_parser!(u32).range(1..))
+                .help("The number of the state to start from, of those listed; the first stable one if absent"),
         )
-        .subcommand(
-            corners(
-                with_keys(
-                    Command::new("trace").about("Follow a ply along a path").long_about(TRACE).after_help(EXAMPLES),
-                    |key| key.table != Table::Lay && key.name != "separation",
-                ),
-                "to-",
-                "Where the path leads",
-            )
-            .arg(
-                Arg::new("start")
-                    .long("start")
-                    .value_name("STATE")
-                    .value_parser(value_parser!(u32).range(1..))
-                    .help("The number of the state to start from, of those listed; the first stable one if absent"),
-            )
-            .arg(
-                Arg::new("kept")
-                    .long("kept")
-                    .action(ArgAction::SetTrue)
-                    .help("Keep neighbours together even where they would have to pull"),
-            )
-            .arg(
-                Arg::new("curvature-limit")
-                    .long("curvature-limit")
-                    .value_name("STRAIN")
-                    .value_parser(value_parser!(f64))
-                    .help(
-                        "Say where the bending strain of the outer fibre, strand radius times curvature, passes this",
-                    ),
-            )
-            .arg(plot())
-            .arg(format())
-            .arg(json()),
+        .arg(
+            Arg::new("kept")
+                .long("kept")
+                .action(ArgAction::SetTrue)
+                .help("Keep neighbours together even where they would have to pull"),
         )
-        .subcommand(
-            corners(
-                corners(
-                    with_keys(
-                        Command::new("map").about("Every state over two data").long_about(MAP).after_help(EXAMPLES),
-                        |key| key.table != Table::Lay && key.name != "separation",
-                    ),
-                    "from-",
-                    "Where the rectangle begins",
-                ),
-                "to-",
-                "Where it ends: the first of these runs across, the second up",
-            )
-            .arg(points("columns", "Points across (200)"))
-            .arg(points("rows", "Points up (200)"))
-            .arg(
-                Arg::new("output")
-                    .long("output")
-                    .short('o')
-                    .value_name("FILE")
-                    .help("Where to write the table: CSV, or Parquet if the name ends in .parquet"),
-            )
-            .arg(plot())
-            .arg(points("jobs", "Threads to use (all cores)"))
-            .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar")),
+        .arg(
+            Arg::new("curvature-limit")
+                .long("curvature-limit")
+                .value_name("STRAIN")
+                .value_parser(value_parser!(f64))
+                .help("Say where the bending strain of the outer fibre, strand radius times curvature, passes this"),
         )
-        .subcommand(
-            with_keys(
-                Command::new("locus")
-                    .about("The loads at which touching strands part")
-                    .long_about(LOCUS)
-                    .after_help(EXAMPLES),
-                |key| !matches!(key.table, Table::Lay | Table::Ends | Table::Support) && key.name != "separation",
-            )
-            .arg(points("points", "Angles on each curve (200)"))
-            .arg(plot())
-            .arg(format())
-            .arg(json()),
+        .arg(plot())
+        .arg(format())
+        .arg(json())
+}
+
+fn map(command: Command) -> Command {
+    const THREADS: i64 = 1024;
+    let command = with_keys(command, |key| key.table != Table::Lay && key.name != "separation");
+    let command = corners(command, "from-", "Where the rectangle begins");
+    corners(command, "to-", "Where it ends: the first of these runs across, the second up")
+        .arg(count("columns", "Points across (200)", u32::MAX.into()))
+        .arg(count("rows", "Points up (200)", u32::MAX.into()))
+        .arg(
+            Arg::new("output")
+                .long("output")
+                .short('o')
+                .value_name("FILE")
+                .help("Where to write the table: CSV, or Parquet if the name ends in .parquet"),
         )
-        .subcommand(
-            with_keys(
-                Command::new("contact").about("Geometry alone: how strands touch at a lay").long_about(CONTACT),
-                |key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name),
-            )
-            .arg(
-                Arg::new("branches")
-                    .long("branches")
-                    .value_name("MOST")
-                    .num_args(0..=1)
-                    .default_missing_value("20")
-                    .value_parser(value_parser!(u32).range(1..=100_000))
-                    .help("List solutions of the contact condition too, nearest first, at most MOST (20)"),
-            )
-            .arg(json()),
+        .arg(plot())
+        .arg(count("jobs", "Threads to use (all cores)", THREADS))
+        .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar"))
+}
+
+fn locus(command: Command) -> Command {
+    let wanted =
+        |key: &Key| !matches!(key.table, Table::Lay | Table::Ends | Table::Support) && key.name != "separation";
+    with_keys(command, wanted)
+        .arg(count("points", "Angles on each curve (200)", u32::MAX.into()))
+        .arg(plot())
+        .arg(format())
+        .arg(json())
+}
+
+fn contact(command: Command) -> Command {
+    let wanted = |key: &Key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name);
+    with_keys(command, wanted)
+        .arg(
+            Arg::new("branches")
+                .long("branches")
+                .value_name("MOST")
+                .num_args(0..=1)
+                .default_missing_value("20")
+                .value_parser(value_parser!(u32).range(1..=100_000))
+                .help("List solutions of the contact condition too, nearest first, at most MOST (20)"),
         )
-        .subcommand(
-            with_keys(Command::new("lays").about("The distinguished lays of n strands").long_about(LAYS), |key| {
-                key.name == "strands"
-            })
-            .arg(json()),
-        )
+        .arg(json())
+}
+
+fn lays(command: Command) -> Command {
+    with_keys(command, |key| key.name == "strands").arg(json())
 }
 
 fn plot() -> Arg {
     Arg::new("plot").long("plot").value_name("FILE").help("Draw a picture (SVG)")
 }
 
-fn points(name: &'static str, help: &'static str) -> Arg {
-    Arg::new(name).long(name).value_name("N").value_parser(value_parser!(u32).range(1..)).help(help)
+fn count(name: &'static str, help: &'static str, most: i64) -> Arg {
+    Arg::new(name).long(name).value_name("N").value_parser(value_parser!(u32).range(1..=most)).help(help)
 }
 
 /// One flag with a prefix for each key that can change within a study.

@@ -2,7 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write as _};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
@@ -35,25 +35,39 @@ pub(crate) fn write(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::of_output)
 }
 
-/// A file that gets its name when it is whole: until then it stands beside it as `NAME.part`, and is removed if nothing comes of it.
+/// A file that gets its name when it is whole: until then it stands beside it as a `.part`, and is removed if nothing comes of it. What is
+/// no file (a pipe, a device) is written to as it is.
 pub(crate) struct Draft {
     file: Option<BufWriter<File>>,
-    draft: PathBuf,
+    /// where it stands until it is whole
+    draft: Option<PathBuf>,
     path: PathBuf,
 }
 
 impl Draft {
     pub(crate) fn new(path: &str) -> Result<Self, Failure> {
-        let path = PathBuf::from(path);
-        let mut draft = path.clone().into_os_string();
-        draft.push(".part");
-        let draft = PathBuf::from(draft);
-        let cannot = |error| Failure::File { what: format!("cannot write {}", path.display()), error };
-        if path.is_dir() {
-            return Err(cannot(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder")));
+        let given = PathBuf::from(path);
+        let cannot = |error| Failure::File { what: format!("cannot write {}", shown(&given)), error };
+        let refused = |kind, why: &str| cannot(io::Error::new(kind, why.to_owned()));
+        if path.is_empty() {
+            return Err(refused(io::ErrorKind::InvalidInput, "the file has no name"));
         }
-        let file = File::create(&draft).map_err(cannot)?;
-        Ok(Self { file: Some(BufWriter::new(file)), draft, path })
+        // a link is followed, so that what it points to is replaced and not the link
+        let path = fs::canonicalize(&given).unwrap_or_else(|_| given.clone());
+        let draft = match fs::metadata(&path) {
+            Ok(there) if there.is_dir() => return Err(refused(io::ErrorKind::IsADirectory, "it is a folder")),
+            Ok(there) if !there.is_file() => None,
+            _ => {
+                let mut draft = path.clone().into_os_string();
+                draft.push(format!(".{}.part", std::process::id()));
+                Some(PathBuf::from(draft))
+            }
+        };
+        let file = match &draft {
+            Some(draft) => File::create(draft),
+            None => File::options().write(true).open(&path),
+        };
+        Ok(Self { file: Some(BufWriter::new(file.map_err(cannot)?)), draft, path })
     }
 
     pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
@@ -63,19 +77,25 @@ impl Draft {
     /// Gives the file its name.
     pub(crate) fn keep(mut self) -> Result<(), Failure> {
         let Some(file) = self.file.take() else { return Ok(()) };
-        let done = file
-            .into_inner()
-            .map_err(io::IntoInnerError::into_error)
-            .and_then(|file| file.sync_all())
-            .and_then(|()| fs::rename(&self.draft, &self.path));
+        let whole = file.into_inner().map_err(io::IntoInnerError::into_error);
+        let done = match &self.draft {
+            Some(draft) => whole.and_then(|file| file.sync_all()).and_then(|()| fs::rename(draft, &self.path)),
+            None => whole.map(drop),
+        };
         done.map_err(|error| {
-            let _ = fs::remove_file(&self.draft); // nothing is left that could be taken for the file
+            self.discard(); // nothing is left that could be taken for the file
             self.cannot(error)
         })
     }
 
+    fn discard(&self) {
+        if let Some(draft) = &self.draft {
+            let _ = fs::remove_file(draft);
+        }
+    }
+
     fn cannot(&self, error: io::Error) -> Failure {
-        Failure::File { what: format!("cannot write {}", self.path.display()), error }
+        Failure::File { what: format!("cannot write {}", shown(&self.path)), error }
     }
 }
 
@@ -92,9 +112,14 @@ impl io::Write for Draft {
 impl Drop for Draft {
     fn drop(&mut self) {
         if self.file.take().is_some() {
-            let _ = fs::remove_file(&self.draft);
+            self.discard();
         }
     }
+}
+
+/// A file's name for a message, without what would steer a terminal.
+fn shown(path: &Path) -> String {
+    path.display().to_string().replace(|c: char| c.is_control(), "?")
 }
 
 /// Standard output, for much text in small pieces.

@@ -8,7 +8,7 @@ use clap::ArgMatches;
 use indicatif::{ProgressBar, ProgressStyle};
 use nply_sheet::map::{Cell, Map, MapFlags, MapPicture, Tally};
 use nply_sheet::table::TableWriter;
-use nply_sheet::{LocusReport, TraceReport, Walk};
+use nply_sheet::{ErrorKind, LocusReport, Place, SpecError, TraceReport, Walk};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
@@ -59,8 +59,8 @@ fn plot(arguments: &ArgMatches, svg: impl Fn() -> String) -> Result<(), Failure>
     draft.keep()
 }
 
-/// Rows worked out between two looks at the clock and at Ctrl-C.
-const STRETCH: usize = 64;
+/// Points worked out between two looks at the clock and at Ctrl-C, in whole rows, at most 64 of them.
+const STRETCH: usize = 1 << 16;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
@@ -74,6 +74,14 @@ pub(crate) fn map(arguments: &ArgMatches) -> Result<(), Failure> {
         rows: arguments.get_one::<u32>("rows").copied(),
     };
     let map = input.spec.check_map(Some(&flags)).map_err(|error| input.refused(error))?;
+    let file = |name| arguments.get_one::<String>(name);
+    if let (Some(table), Some(picture)) = (file("output"), file("plot"))
+        && table == picture
+    {
+        let message = "table and picture would be written to the same file: give one of them another name";
+        let place = Place::Flag("plot".to_owned());
+        return Err(input.refused(SpecError::new(ErrorKind::Contradiction, place, message)));
+    }
     if let Some(jobs) = arguments.get_one::<u32>("jobs").and_then(|jobs| NonZeroUsize::new(*jobs as usize)) {
         // fails only where threads stand already, and then so many are used
         let _ = rayon::ThreadPoolBuilder::new().num_threads(jobs.get()).build_global();
@@ -154,12 +162,13 @@ fn walk(
         bar.set_style(style);
     }
     let mut tally = Tally::default();
-    for first in (0..rows).step_by(STRETCH) {
+    let stretch = (STRETCH / map.x.count as usize).clamp(1, 64);
+    for first in (0..rows).step_by(stretch) {
         if INTERRUPTED.load(Ordering::Relaxed) {
             bar.finish_and_clear();
             return Err(Failure::Interrupted);
         }
-        let last = (first + STRETCH).min(rows);
+        let last = (first + stretch).min(rows);
         let cells: Result<Vec<Vec<Cell>>, _> = (first..last).into_par_iter().map(|row| map.row(row)).collect();
         let cells = cells.map_err(|error| input.refused(map.case().locate(&error)))?;
         for (i, row) in cells.iter().enumerate() {

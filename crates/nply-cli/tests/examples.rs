@@ -320,7 +320,9 @@ fn letting_go() {
     for leg in &legs[..2] {
         let stations = leg["stations"].as_array().unwrap();
         assert!(stations.iter().all(|station| number(station, "helical_angle_deg") < 1e-6));
-        assert!(stations.iter().all(|station| station["stability"] == "stable"));
+        // without a pull nothing of second order keeps straight strands where they are
+        let verdict = |station: &Value| if number(station, "force") > 0.0 { "stable" } else { "marginal" };
+        assert!(stations.iter().all(|station| station["stability"] == verdict(station)));
     }
     let end = event(&report, 3, "arrival");
     assert!((number(&end, "helical_angle_deg") - 30.6130).abs() < 5e-5, "simulated: 30.6130 degrees");

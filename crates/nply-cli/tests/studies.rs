@@ -370,7 +370,7 @@ fn an_interrupted_map_leaves_what_was_there() {
     use std::time::{Duration, Instant};
     let folder = folder("interrupted");
     for name in ["map.csv", "map.parquet"] {
-        let (table, draft) = (folder.join(name), folder.join(format!("{name}.part")));
+        let table = folder.join(name);
         if name == "map.csv" {
             fs::write(&table, "old").unwrap();
         }
@@ -382,6 +382,7 @@ fn an_interrupted_map_leaves_what_was_there() {
             .spawn()
             .unwrap();
         // the draft is there once the work has begun
+        let draft = folder.join(format!("{name}.{}.part", child.id()));
         let begin = Instant::now();
         while !draft.exists() {
             if begin.elapsed() > Duration::from_secs(20) || child.try_wait().unwrap().is_some() {

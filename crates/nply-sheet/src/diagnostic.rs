@@ -108,7 +108,14 @@ impl Parts {
 }
 
 impl SpecError {
-    pub(crate) fn new(kind: ErrorKind, place: Place, message: impl Into<String>) -> Self {
+    /// A refusal of a kind, at a place.
+    ///
+    /// ```
+    /// use nply_sheet::{ErrorKind, Place, SpecError};
+    /// let error = SpecError::new(ErrorKind::Contradiction, Place::Flag("plot".into()), "give another name");
+    /// assert_eq!((error.exit_code(), error.to_string().as_str()), (2, "--plot: give another name"));
+    /// ```
+    pub fn new(kind: ErrorKind, place: Place, message: impl Into<String>) -> Self {
         Self(Box::new(Parts { kind, place, key: None, message: message.into(), help: None }))
     }
 

@@ -72,6 +72,9 @@ pub struct Spec {
     pub(crate) map: Option<Box<MapSpec>>,
 }
 
+/// The most legs of a path.
+const MOST_LEGS: usize = 1000;
+
 /// `[map]`: the corners of a rectangle of data, and how finely it is divided.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MapSpec {
@@ -114,6 +117,10 @@ impl Spec {
         for (header, value) in in_order(document.get_ref()) {
             let written: &str = header.get_ref();
             match (written, value.get_ref()) {
+                ("path", DeValue::Array(legs)) if legs.len() > MOST_LEGS => {
+                    let message = format!("a path of more than {MOST_LEGS} legs is not taken: split it");
+                    return Err(SpecError::new(ErrorKind::Domain, place(header.span()), message).of_key(written));
+                }
                 ("path", DeValue::Array(legs)) => {
                     for leg in legs.iter() {
                         spec.legs.push(Self::corner(leg, text, &place, "a leg of [[path]]")?);

@@ -33,6 +33,7 @@ impl Spec {
             return Err(SpecError::new(ErrorKind::Missing, self.head(), message));
         }
         let mut here = self.clone();
+        here.legs.clear(); // each leg would carry all of them on
         let mut cases = vec![here.check()?];
         for leg in legs {
             here = here.onward(leg);

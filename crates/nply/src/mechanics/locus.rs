@@ -44,6 +44,9 @@ impl Ply {
         DomainError::check((2..=10_000_000).contains(&points), "points", points as f64, allowed)?;
         let (love, held) = twist.weights(self.stiffness_ratio());
         let n = f64::from(self.strands());
+        let size = n * (1.0 + love.abs() + held.abs());
+        let allowed = "small enough for the loads of n strands to be numbers, stiffness ratio included";
+        DomainError::check(size < 1e300, "twist", held, allowed)?;
         // two strands lie in line contact up to π/4, the first half
         let line = if self.strands() == 2 { points / 2 } else { 0 };
         let (rest, past) = (points - line, usize::from(line > 0));
