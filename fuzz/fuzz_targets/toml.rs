@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use libfuzzer_sys::fuzz_target;
-use nply_sheet::{Report, ShapeReport, Spec, SpecError};
+use nply_sheet::{Report, ShapeReport, Spec, SpecError, TraceReport, Walk};
 
 fn refused(error: &SpecError, text: &str) {
     assert_eq!(error.to_string().lines().count(), 1, "{error}");
@@ -49,11 +49,32 @@ fn read_and_report(bytes: &[u8]) {
         }
         Err(error) => refused(&error, &text),
     }
+    study(&spec, &text);
     match spec.check_shape().and_then(|shape| ShapeReport::of(shape, 4)) {
         Ok(report) => {
             let _ = report.text(false);
             is_json(&report.json());
         }
         Err(error) => refused(&error, &text),
+    }
+}
+
+/// A path or a map in the file: walked, or its first row worked out, or refused in one sentence.
+fn study(spec: &Spec, text: &str) {
+    match spec.check_path(None).and_then(|cases| TraceReport::of(cases, Walk::default())) {
+        Ok(report) => {
+            let table = report.text(true);
+            assert!(!table.contains("NaN") || table.starts_with(char::is_alphabetic), "{table}");
+            is_json(&report.json());
+        }
+        Err(error) => assert_eq!(error.to_string().lines().count(), 1, "{error}"),
+    }
+    match spec.check_map(None) {
+        Ok(map) if map.x.count <= 1000 => drop(map.row(0)),
+        Ok(_) => {}
+        Err(error) => {
+            assert_eq!(error.to_string().lines().count(), 1, "{error}");
+            let _ = error.render(text);
+        }
     }
 }

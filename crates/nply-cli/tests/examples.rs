@@ -273,7 +273,7 @@ fn manoeuvre(name: &str, balance: &str, kept: bool) -> Value {
     let straight = event(&report, 2, "straight");
     near(number(&straight, "moment"), 3.0 * 0.75 * -0.2, 1e-9);
     assert!(number(&straight, "helical_angle_deg") < 1e-6);
-    near(number(&event(&report, 2, "quarter_pi"), "helical_angle_deg"), 45.0, 1e-12);
+    near(number(&event(&report, 2, "diagonal"), "helical_angle_deg"), 45.0, 1e-12);
     // at the angle of the goal, pressing
     let top = event(&report, 2, "arrival");
     near(number(&top, "helical_angle_deg"), number(&high, "helical_angle_deg"), TOLERANCE);

@@ -3,6 +3,8 @@
 //! Descartes' rule in this form: a polynomial has at most as many roots in (0, 1) as its coefficients change sign, and
 //! as many but for an even number. No change: no root. One change: exactly one root.
 
+use super::matrix::inverse;
+
 /// Number of coefficients; the degree is one less.
 pub(crate) const ORDER: usize = 12;
 
@@ -54,41 +56,6 @@ const fn basis_at_nodes() -> [[f64; ORDER]; ORDER] {
         i += 1;
     }
     matrix
-}
-
-/// Gauss and Jordan; the matrix is totally positive, so that no pivoting is needed.
-const fn inverse(mut a: [[f64; ORDER]; ORDER]) -> [[f64; ORDER]; ORDER] {
-    let mut b = [[0.0; ORDER]; ORDER];
-    let mut i = 0;
-    while i < ORDER {
-        b[i][i] = 1.0;
-        i += 1;
-    }
-    let mut p = 0;
-    while p < ORDER {
-        let pivot = 1.0 / a[p][p];
-        let mut j = 0;
-        while j < ORDER {
-            a[p][j] *= pivot;
-            b[p][j] *= pivot;
-            j += 1;
-        }
-        let mut i = 0;
-        while i < ORDER {
-            if i != p {
-                let factor = a[i][p];
-                let mut j = 0;
-                while j < ORDER {
-                    a[i][j] -= factor * a[p][j];
-                    b[i][j] -= factor * b[p][j];
-                    j += 1;
-                }
-            }
-            i += 1;
-        }
-        p += 1;
-    }
-    b
 }
 
 /// The polynomial through `values` at [`NODES`]; the end values are kept to the bit.
@@ -159,7 +126,7 @@ fn horner(a: &Bernstein, x: f64) -> [f64; 3] {
 
 /// Whether all coefficients are beyond `tolerance` on one side of zero.
 #[inline]
-pub(crate) fn one_sign(b: &Bernstein, tolerance: f64) -> bool {
+pub(crate) fn one_sign<const N: usize>(b: &[f64; N], tolerance: f64) -> bool {
     let (mut least, mut greatest) = (b[0], b[0]);
     for &value in b {
         least = if value < least { value } else { least };

@@ -7,6 +7,8 @@ pub(crate) mod jet;
 pub(crate) mod kepler;
 mod kepler_chart;
 pub(crate) mod linear;
+mod matrix;
 pub(crate) mod quadrant;
 pub(crate) mod root;
+pub(crate) mod septic;
 pub(crate) mod series;

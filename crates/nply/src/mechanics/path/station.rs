@@ -71,7 +71,7 @@ impl Mark {
             Self::Fold => "fold",
             Self::ContactChange(_) => "contact_change",
             Self::Separation => "separation",
-            Self::Diagonal => "quarter_pi",
+            Self::Diagonal => "diagonal",
             Self::MostTurns => "most_turns",
             Self::CurvatureLimit => "curvature_limit",
             Self::Straight => "straight",

@@ -2,11 +2,11 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use super::polynomial::{self, Coefficients, NODES, ORDER};
 use crate::geometry::{Contact, HelicalAngle};
 use crate::mechanics::Balance;
 use crate::mechanics::atlas::Condition;
 use crate::numerics::dual::Dual;
+use crate::numerics::septic::{self, Coefficients, NODES, ORDER};
 
 /// The terms of the balance, and the pairs of different ones.
 pub(super) const TERMS: usize = 5;
@@ -76,7 +76,7 @@ impl Weights {
     pub(super) fn sum(&self, functions: &[Coefficients]) -> Coefficients {
         let mut sum = [0.0; ORDER];
         for &(k, weight) in &self.list {
-            polynomial::add(&mut sum, weight, &functions[k]);
+            septic::add(&mut sum, weight, &functions[k]);
         }
         sum
     }
@@ -122,12 +122,12 @@ impl Sample {
 
 /// Values at the nodes, and then how far the polynomial through them is off.
 fn judged(values: &Coefficients, sizes: f64, between: impl Fn(usize) -> f64) -> (Coefficients, f64) {
-    let powers = polynomial::powers(values);
+    let powers = septic::powers(values);
     let off = (0..ORDER - 1).map(|i| {
         let u = 0.5 * (NODES[i] + NODES[i + 1]);
-        (polynomial::value(&powers, u) - between(i)).abs()
+        (septic::value(&powers, u) - between(i)).abs()
     });
-    (polynomial::bernstein(values), 4.0 * off.fold(2.0 * f64::EPSILON * sizes, f64::max))
+    (septic::bernstein(values), 4.0 * off.fold(2.0 * f64::EPSILON * sizes, f64::max))
 }
 
 fn largest(values: &Coefficients) -> f64 {
@@ -199,12 +199,12 @@ impl Cell {
             half,
             terms: Judged::new(terms),
             wronskians: Judged::new(wronskians),
-            powers: values.map(|values| polynomial::powers(&values)),
+            powers: values.map(|values| septic::powers(&values)),
             pressure: Pressure {
-                terms: pressures.map(|values| polynomial::powers(&values)),
+                terms: pressures.map(|values| septic::powers(&values)),
                 size: pressures.map(|values| largest(&values)),
-                divisor: (balance == Balance::Radial).then(|| polynomial::powers(&nodes(&|s| s.divisor))),
-                factor: polynomial::powers(&nodes(&|s| s.factor)),
+                divisor: (balance == Balance::Radial).then(|| septic::powers(&nodes(&|s| s.divisor))),
+                factor: septic::powers(&nodes(&|s| s.factor)),
             },
         }
     }

@@ -5,9 +5,9 @@ use core::ops::Range;
 use super::cell::Cell;
 use super::line::Line;
 use super::piece::Piece;
-use super::polynomial::{self, Coefficients};
 use crate::numerics::dual::Dual;
 use crate::numerics::root::bracketed;
+use crate::numerics::septic::{self, Coefficients};
 
 /// Roots that are worked out together, in loops without a branch.
 const BLOCK: usize = 16;
@@ -166,22 +166,22 @@ impl<'a> Follower<'a> {
             Some(b) => {
                 for ((sum, &u), &x) in apart.iter_mut().zip(u).zip(x) {
                     let line: Coefficients = core::array::from_fn(|i| a[i] + x * b[i]);
-                    *sum = polynomial::value(&line, u);
+                    *sum = septic::value(&line, u);
                 }
             }
             None => {
                 for (sum, &u) in apart.iter_mut().zip(u) {
-                    *sum = polynomial::value(&a, u);
+                    *sum = septic::value(&a, u);
                 }
             }
         }
         for ((sum, product), &u) in apart.iter_mut().zip(together).zip(u) {
             *sum = if sum.abs() > rounding { *sum } else { 0.0 };
-            *product = *sum * polynomial::value(&factor, u);
+            *product = *sum * septic::value(&factor, u);
         }
         if let Some(divisor) = &self.cell.pressure.divisor {
             for (sum, &u) in apart.iter_mut().zip(u) {
-                *sum /= polynomial::value(divisor, u);
+                *sum /= septic::value(divisor, u);
             }
         }
     }
@@ -199,7 +199,7 @@ impl<'a> Follower<'a> {
         let (slope_a, slope_b) = (derivative(&self.a), derivative(&self.b));
         let f = |t: f64| {
             let u = t - 1.0;
-            let line = |a: &Coefficients, b: &Coefficients| polynomial::value(a, u) + x * polynomial::value(b, u);
+            let line = |a: &Coefficients, b: &Coefficients| septic::value(a, u) + x * septic::value(b, u);
             Dual::new(line(&self.a, &self.b), line(&slope_a, &slope_b))
         };
         // A + xB = (x − x_from) B at the piece's beginning

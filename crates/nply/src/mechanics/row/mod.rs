@@ -13,7 +13,6 @@ mod chart;
 mod follow;
 mod line;
 mod piece;
-mod polynomial;
 mod values;
 
 use super::equilibrium::weights;

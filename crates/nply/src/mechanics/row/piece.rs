@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use super::cell::Cell;
 use super::line::Line;
-use super::polynomial::{self, Coefficients, ORDER};
 use super::values::{Values, sure};
+use crate::numerics::septic::{self, Coefficients, ORDER};
 
 /// Halvings of one cell, after which the values left are in doubt.
 const DEEPEST: u32 = 10;
@@ -103,7 +103,7 @@ impl<'a> Search<'a> {
         }
         self.halvings -= 1;
         let middle = 0.5 * (part.u[0] + part.u[1]);
-        let [a, b, w] = [a, b, &part.wronskian.0].map(polynomial::halves);
+        let [a, b, w] = [a, b, &part.wronskian.0].map(septic::halves);
         for (i, u) in [[part.u[0], middle], [middle, part.u[1]]].into_iter().enumerate() {
             let half = Part {
                 u,

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use super::polynomial::{Coefficients, ORDER, one_sign};
+use crate::numerics::bernstein::one_sign;
+use crate::numerics::septic::{Coefficients, ORDER};
 
 /// Places tried one by one from where an even spacing would have it, before the list is halved.
 const NEARBY: usize = 8;

@@ -1,13 +1,15 @@
 //! Polynomials of degree 7 on [−1, 1]: as powers to be evaluated, in Bernstein form to be judged by their signs.
 
+use super::matrix::inverse;
+
 /// Number of coefficients; the degree is one less.
-pub(super) const ORDER: usize = 8;
+pub(crate) const ORDER: usize = 8;
 
 /// Coefficients, lowest power or left end first.
-pub(super) type Coefficients = [f64; ORDER];
+pub(crate) type Coefficients = [f64; ORDER];
 
 /// Chebyshev–Lobatto points −cos(πi/7); the ends are among them.
-pub(super) const NODES: Coefficients = [
+pub(crate) const NODES: Coefficients = [
     -1.0,
     -0.900_968_867_902_419_1,
     -0.623_489_801_858_733_6,
@@ -61,43 +63,10 @@ const fn bernstein_at_nodes() -> [Coefficients; ORDER] {
     matrix
 }
 
-/// Gauss and Jordan; no leading minor of either matrix vanishes, so that no pivoting is needed.
-const fn inverse(mut a: [Coefficients; ORDER]) -> [Coefficients; ORDER] {
-    let mut b = [[0.0; ORDER]; ORDER];
-    let mut p = 0;
-    while p < ORDER {
-        b[p][p] = 1.0;
-        p += 1;
-    }
-    p = 0;
-    while p < ORDER {
-        let pivot = 1.0 / a[p][p];
-        let mut j = 0;
-        while j < ORDER {
-            a[p][j] *= pivot;
-            b[p][j] *= pivot;
-            j += 1;
-        }
-        let mut i = 0;
-        while i < ORDER {
-            let factor = if i == p { 0.0 } else { a[i][p] };
-            j = 0;
-            while j < ORDER {
-                a[i][j] -= factor * a[p][j];
-                b[i][j] -= factor * b[p][j];
-                j += 1;
-            }
-            i += 1;
-        }
-        p += 1;
-    }
-    b
-}
-
 /// The polynomial through `values` at [`NODES`], as powers.
 ///
 /// The chord is taken off first: what is left is small, and so is what rounding does to its coefficients.
-pub(super) fn powers(values: &Coefficients) -> Coefficients {
+pub(crate) fn powers(values: &Coefficients) -> Coefficients {
     let (mean, half) = (0.5 * (values[0] + values[ORDER - 1]), 0.5 * (values[ORDER - 1] - values[0]));
     let mut coefficients = product(&POWERS, &above_chord(values, mean, half));
     coefficients[0] += mean;
@@ -106,7 +75,7 @@ pub(super) fn powers(values: &Coefficients) -> Coefficients {
 }
 
 /// The polynomial through `values` at [`NODES`], in Bernstein form; the end values are kept to the bit.
-pub(super) fn bernstein(values: &Coefficients) -> Coefficients {
+pub(crate) fn bernstein(values: &Coefficients) -> Coefficients {
     let (mean, half) = (0.5 * (values[0] + values[ORDER - 1]), 0.5 * (values[ORDER - 1] - values[0]));
     let mut coefficients = product(&BERNSTEIN, &above_chord(values, mean, half));
     for (i, coefficient) in coefficients.iter_mut().enumerate() {
@@ -127,7 +96,7 @@ fn product(matrix: &[Coefficients; ORDER], values: &Coefficients) -> Coefficient
 
 /// Value of powers at u in [−1, 1].
 #[inline(always)]
-pub(super) fn value(powers: &Coefficients, u: f64) -> f64 {
+pub(crate) fn value(powers: &Coefficients, u: f64) -> f64 {
     let mut sum = powers[ORDER - 1];
     for i in (0..ORDER - 1).rev() {
         sum = sum * u + powers[i];
@@ -136,7 +105,7 @@ pub(super) fn value(powers: &Coefficients, u: f64) -> f64 {
 }
 
 /// Both halves of a polynomial in Bernstein form, by de Casteljau; they share the value in the middle to the bit.
-pub(super) fn halves(b: &Coefficients) -> [Coefficients; 2] {
+pub(crate) fn halves(b: &Coefficients) -> [Coefficients; 2] {
     let (mut left, mut right) = ([0.0; ORDER], *b);
     for (i, kept) in left.iter_mut().enumerate() {
         *kept = right[0];
@@ -147,20 +116,9 @@ pub(super) fn halves(b: &Coefficients) -> [Coefficients; 2] {
     [left, right]
 }
 
-/// Whether all coefficients are beyond `tolerance` on one side of zero.
-#[inline]
-pub(super) fn one_sign(b: &Coefficients, tolerance: f64) -> bool {
-    let (mut least, mut greatest) = (b[0], b[0]);
-    for &value in b {
-        least = if value < least { value } else { least };
-        greatest = if value > greatest { value } else { greatest };
-    }
-    least > tolerance || greatest < -tolerance
-}
-
 /// Adds a multiple.
 #[inline]
-pub(super) fn add(sum: &mut Coefficients, weight: f64, b: &Coefficients) {
+pub(crate) fn add(sum: &mut Coefficients, weight: f64, b: &Coefficients) {
     for (total, coefficient) in sum.iter_mut().zip(b) {
         *total += weight * coefficient;
     }
@@ -185,11 +143,5 @@ mod tests {
             halved = halves(&halved[1]); // towards the right end, which stays as it was
         }
         assert!((halved[1][0] - values[ORDER - 1]).abs() < 1e-15);
-    }
-
-    #[test]
-    fn signs_are_sure_beyond_the_tolerance_alone() {
-        let b = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
-        assert!(one_sign(&b, 0.9) && !one_sign(&b, 1.0) && one_sign(&b.map(|v| -v), 0.9));
     }
 }
