@@ -95,6 +95,7 @@ fn every_name_and_word_of_a_path_or_map_is_documented() {
         Mark::MostTurns,
         Mark::CurvatureLimit,
         Mark::Straight,
+        Mark::Buckling,
     ];
     marks.iter().for_each(|mark| says(mark.name()));
     [End::Arrival, End::LeftWindow, End::FlatRings, End::Apart, End::UnboundedLoad, End::Stalled]
