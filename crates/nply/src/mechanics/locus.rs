@@ -52,21 +52,72 @@ impl Ply {
         let (rest, past) = (points - line, usize::from(line > 0));
         let step = 1.0 / (rest - 1 + past) as f64;
         let empty = || vec![0.0; points.next_multiple_of(WIDTH)];
-        let (mut sin_squared, mut cos_squared) = (empty(), empty());
-        let (mut forces, mut moments) = ([empty(), empty()], [empty(), empty()]);
-        let [right_f, left_f] = &mut forces;
-        let [right_m, left_m] = &mut moments;
+        let mut locus = Locus {
+            sin_squared: empty(),
+            cos_squared: empty(),
+            forces: [empty(), empty()],
+            moments: [empty(), empty()],
+        };
+        Curve { n, love, held, line, past, step }.draw(&mut locus);
+        let Locus { sin_squared, cos_squared, forces, moments } = &mut locus;
+        for array in [sin_squared, cos_squared].into_iter().chain(forces).chain(moments) {
+            array.truncate(points);
+        }
+        Ok(locus)
+    }
+}
+
+/// What the curve is worked out from.
+#[derive(Clone, Copy)]
+struct Curve {
+    n: f64,
+    love: f64,
+    held: f64,
+    /// points in line contact
+    line: usize,
+    past: usize,
+    step: f64,
+}
+
+impl Curve {
+    /// Fills the arrays, with as wide registers as the processor has: the same products and sums, and so the same bits.
+    fn draw(self, locus: &mut Locus) {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
+            // SAFETY: AVX2 is there.
+            unsafe {
+                self.draw_wide(locus);
+            }
+            return;
+        }
+        self.fill(locus);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn draw_wide(self, locus: &mut Locus) {
+        self.fill(locus);
+    }
+
+    #[inline(always)]
+    fn fill(self, locus: &mut Locus) {
+        let Self { n, love, held, line, past, step } = self;
+        let Locus { sin_squared, cos_squared, forces: [right_f, left_f], moments: [right_m, left_m] } = locus;
         let places = sin_squared.chunks_exact_mut(WIDTH).zip(cos_squared.chunks_exact_mut(WIDTH));
         let pairs = right_f.chunks_exact_mut(WIDTH).zip(left_f.chunks_exact_mut(WIDTH));
         let pairs = pairs.zip(right_m.chunks_exact_mut(WIDTH).zip(left_m.chunks_exact_mut(WIDTH)));
         for (block, ((sin, cos), ((rf, lf), (rm, lm)))) in places.zip(pairs).enumerate() {
-            let first = block * WIDTH;
-            let along = |i: usize| ((i - line + past) as f64 * step).min(1.0);
-            let [ss, cc, y]: [Lanes; 3] = if first >= line && n > 2.0 {
-                bent(TAU / n, core::array::from_fn(|k| along(first + k)))
+            // from the corner on, and from the beginning where there is none
+            let origin = (block * WIDTH) as f64 - line as f64 + past as f64;
+            let [ss, cc, y]: [Lanes; 3] = if line == 0 {
+                bent(TAU / n, PLACES.map(|k| ((origin + k) * step).min(1.0)))
             } else {
-                let turn = |i: usize| if i < line { in_line(i as f64 / line as f64) } else { past_corner(along(i)) };
-                let turns: [[f64; 3]; WIDTH] = core::array::from_fn(|k| turn(first + k));
+                let turn = |i: f64| match i * step {
+                    share if share > 0.0 => past_corner(share.min(1.0)),
+                    _ => in_line((i + line as f64 - past as f64) / line as f64),
+                };
+                let turns = PLACES.map(|k| turn(origin + k));
                 [0, 1, 2].map(|part| turns.map(|turn| turn[part]))
             };
             sin.copy_from_slice(&ss);
@@ -80,16 +131,13 @@ impl Ply {
                 (rm[k], lm[k]) = (even_m + odd_m, even_m - odd_m);
             }
         }
-        for array in [&mut sin_squared, &mut cos_squared].into_iter().chain(&mut forces).chain(&mut moments) {
-            array.truncate(points);
-        }
-        Ok(Locus { sin_squared, cos_squared, forces, moments })
     }
 }
 
 /// Points worked out together, so that a processor can take several at a time.
 const WIDTH: usize = 8;
 type Lanes = [f64; WIDTH];
+const PLACES: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 /// sin²θ, cos²θ and sin θ/ρ of two strands in line contact, from tan θ.
 #[inline(always)]
@@ -106,7 +154,7 @@ fn past_corner(share: f64) -> [f64; 3] {
 }
 
 /// The same of three and more strands, several at a time and without a branch.
-#[inline]
+#[inline(always)]
 fn bent(lambda: f64, share: Lanes) -> [Lanes; 3] {
     let mut out = [[0.0; WIDTH]; 3];
     for k in 0..WIDTH {
@@ -130,10 +178,10 @@ fn anomaly(lambda: f64, share: f64) -> (f64, f64) {
 fn branch(shift: f64, (sh, ch): (f64, f64)) -> [f64; 3] {
     let sin_e = 2.0 * sh * ch;
     let sum = sin_e + shift;
-    let inverse = 1.0 / sum;
-    let (ss, cc) = (shift * inverse, sin_e * inverse);
+    let inverse = 1.0 / (sum * ch); // one division for both
+    let (ss, cc) = (shift * ch * inverse, sin_e * ch * inverse);
     // y² = sin²θ/ρ² = sin²θ sin²(E/2)(1 + tan²θ cos²(E/2)), with cos²θ = sin E/(sin E + λ − E)
-    [ss, cc, (0.5 * ss * sh * sum / ch * (cc + ss * ch * ch)).sqrt()]
+    [ss, cc, (0.5 * ss * sh * sum * (sum * inverse) * (cc + ss * ch * ch)).sqrt()]
 }
 
 impl Locus {
@@ -182,5 +230,26 @@ const fn side(handedness: Handedness) -> usize {
     match handedness {
         Handedness::Right => 0,
         Handedness::Left => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the width of the registers, the bits are the same.
+    #[test]
+    fn wide_registers_give_the_same_bits() {
+        for strands in [2, 3, 40] {
+            let ply = Ply::new(strands, 0.8).expect("a ply");
+            let drawn = ply.separation_locus(Twist::Pretwist(0.3), 64).expect("a locus");
+            let line = if strands == 2 { 32 } else { 0 };
+            let past = usize::from(line > 0);
+            let step = 1.0 / (64 - line - 1 + past) as f64;
+            let mut plain = drawn.clone();
+            plain.forces = [vec![0.0; 64], vec![0.0; 64]];
+            Curve { n: f64::from(strands), love: 0.8, held: 0.8 * 0.3, line, past, step }.fill(&mut plain);
+            assert_eq!(plain, drawn);
+        }
     }
 }
