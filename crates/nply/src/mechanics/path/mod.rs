@@ -1,7 +1,9 @@
 //! Following a state as its data change: through folds, over contacts that open and close.
 
+mod encounter;
 mod regime;
 mod station;
+mod step;
 mod walk;
 
 pub use station::{Event, Mark, Station};

@@ -1,13 +1,11 @@
 //! Predictor and corrector by arc length, with everything that happens between two steps located.
 
-use core::f64::consts::FRAC_PI_4;
-
-use super::regime::{FLATTEST, Here, Regime};
+use super::regime::{FLATTEST, Regime};
 use super::station::{Event, Mark, Station};
 use super::{Contacts, Path, Route};
 use crate::DomainError;
 use crate::mechanics::{Stability, Support};
-use crate::numerics::linear::{Vector, direction, dot, solve};
+use crate::numerics::linear::Vector;
 
 /// A branch, from a start to where the walk ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +20,7 @@ pub struct Trace {
 
 impl Trace {
     /// Adds an event, if it is not the last one seen again.
-    fn push(&mut self, event: Event) {
+    pub(super) fn push(&mut self, event: Event) {
         let same = |last: &Event| last.mark == event.mark && last.station.is_at(&event.station) && event.jump.is_none();
         if !self.events.last().is_some_and(same) {
             self.events.push(event);
@@ -74,10 +72,6 @@ const MOST_STEPS: usize = 100_000;
 const MOST_CHANGES: usize = 4;
 /// A found load of 10⁹ times the size of the loads on the path is without bound: its area hyperbolic sine.
 const UNBOUNDED: f64 = 21.4;
-/// A direction along which the share of the path does not change, but for rounding.
-const NOISE: f64 = 1e-10;
-/// A turn of the direction (cosine) that asks for a shorter step.
-const STRAIGHT_ON: f64 = 0.985;
 
 impl Path {
     /// Follows the branch from a start on it, by pseudo-arclength continuation.
@@ -128,11 +122,12 @@ impl Path {
     }
 
     /// Stable states at the data just past a place, nearest angle first.
-    fn landings(&self, from: &Station, along: f64) -> Vec<Station> {
+    pub(super) fn landings(&self, from: &Station, along: f64) -> Vec<Station> {
         let past = Self { from: self.data(along), to: self.to, ..*self };
         let mut stations = past.starts().unwrap_or_default();
-        // straight strands, and what rounding leaves of the state itself, are no place to jump to
-        stations.retain(|s| s.stability == Some(Stability::Stable) && s.angle.radians() > 1e-6 && !s.is_at(from));
+        // straight strands, flat rings, and what rounding leaves of the state itself, are no place to jump to
+        let between = |s: &Station| s.angle.radians() > 1e-6 && s.angle.pitch_angle() > 1e-6;
+        stations.retain(|s| s.stability == Some(Stability::Stable) && between(s) && !s.is_at(from));
         let signed = |station: &Station| station.handedness.sign() * station.angle.radians();
         stations.iter_mut().for_each(|station| station.along = along);
         stations.sort_by(|a, b| (signed(a) - signed(from)).abs().total_cmp(&(signed(b) - signed(from)).abs()));
@@ -141,18 +136,18 @@ impl Path {
 }
 
 /// A walk in progress.
-struct Walk<'a> {
-    path: &'a Path,
-    route: &'a Route,
+pub(super) struct Walk<'a> {
+    pub(super) path: &'a Path,
+    pub(super) route: &'a Route,
     /// the size of the found load's coordinate
-    unit: f64,
-    regime: Regime,
-    z: Vector,
+    pub(super) unit: f64,
+    pub(super) regime: Regime,
+    pub(super) z: Vector,
     /// the direction of the branch, on in the sense of the walk
-    ahead: Vector,
+    pub(super) ahead: Vector,
     /// whether the walk goes in the sense of [`direction`] (1.0) or against it (−1.0): the same all along a branch, so that a step onto
     /// another one shows
-    sense: f64,
+    pub(super) sense: f64,
 }
 
 impl Walk<'_> {
@@ -260,233 +255,5 @@ impl Walk<'_> {
         } else {
             None
         }
-    }
-
-    fn station(&self, z: &Vector) -> Station {
-        self.path.station(self.regime, self.physical(z))
-    }
-
-    /// Coordinates with the found load itself: loads of the size of those on the path are walked evenly, larger ones by their order of
-    /// magnitude.
-    fn physical(&self, z: &Vector) -> Vector {
-        [z[0], z[1], libm::sinh(z[2]) * self.unit, z[3]]
-    }
-
-    fn here(&self, z: &Vector) -> Here {
-        Here::new(self.path, self.physical(z))
-    }
-
-    /// Values and rows of the three equations.
-    fn equations(&self, z: &Vector) -> ([f64; 3], [Vector; 3]) {
-        let equations = self.here(z).equations(self.regime);
-        let values = [0, 1, 2].map(|i| equations[i].value);
-        let unit = libm::cosh(z[2]) * self.unit;
-        let rows = equations.map(|e| [e.slopes[0], e.slopes[1], e.slopes[2] * unit, e.slopes[3]]);
-        (values, rows)
-    }
-
-    fn tangent(&self, z: &Vector) -> Option<Vector> {
-        direction(&self.equations(z).1)
-    }
-
-    /// The place on the branch at a distance along `ahead`.
-    fn arrive(&self, step: f64) -> Option<Vector> {
-        let mut z: Vector = core::array::from_fn(|i| self.z[i] + step * self.ahead[i]);
-        let mut last = f64::INFINITY;
-        for _ in 0..12 {
-            let (values, rows) = self.equations(&z);
-            let gone: f64 = (0..4).map(|i| (z[i] - self.z[i]) * self.ahead[i]).sum();
-            let right = [-values[0], -values[1], -values[2], step - gone];
-            let delta = solve([rows[0], rows[1], rows[2], self.ahead], right)?;
-            z = core::array::from_fn(|i| z[i] + delta[i]);
-            let size = libm::sqrt(dot(&delta, &delta));
-            if size <= 1e-15 || size < 1e-9 && size >= 0.25 * last {
-                return Some(z);
-            }
-            last = size;
-        }
-        None
-    }
-
-    /// A state in equilibrium near a place, at the same share of the path.
-    fn settled(&self, z: Vector) -> Option<Vector> {
-        self.settled_at(z, [0.0, 0.0, 0.0, 1.0])
-    }
-
-    /// A state in equilibrium near a place, at the same angle.
-    fn settled_at_angle(&self, z: Vector) -> Option<Vector> {
-        self.settled_at(z, [1.0, 0.0, 0.0, 0.0])
-    }
-
-    /// A state in equilibrium near a place, with one coordinate kept; where that does not fix it, the nearest.
-    fn settled_at(&self, mut z: Vector, kept: Vector) -> Option<Vector> {
-        for _ in 0..12 {
-            let (values, rows) = self.equations(&z);
-            let right = [-values[0], -values[1], -values[2], 0.0];
-            let delta = solve([rows[0], rows[1], rows[2], kept], right)
-                .or_else(|| solve([rows[0], rows[1], rows[2], direction(&rows)?], right))?;
-            z = core::array::from_fn(|i| z[i] + delta[i]);
-            if libm::sqrt(dot(&delta, &delta)) < 1e-12 {
-                return Some(z);
-            }
-        }
-        None
-    }
-
-    fn turn_round(&mut self) {
-        self.ahead = self.ahead.map(|x| -x);
-        self.sense = -self.sense;
-    }
-
-    /// The direction at a place, in the sense of the walk.
-    fn onward(&self, z: &Vector) -> Option<Vector> {
-        self.tangent(z).map(|ahead| ahead.map(|x| self.sense * x))
-    }
-
-    /// The next place and the direction there, if the step is short enough for the branch's bends.
-    fn stride(&mut self, step: f64) -> Option<(Vector, Vector)> {
-        let next = self.arrive(step)?;
-        let free = self.regime == Regime::On(Support::Free);
-        let shared = self.regime == Regime::On(Support::Both);
-        if free && next[0] * next[1] <= 0.0 || (free || shared) && next[0] * self.z[0] < 0.0 {
-            return None; // helices that would turn through each other, or through straight strands
-        }
-        let ahead = self.onward(&next)?;
-        let along = dot(&ahead, &self.ahead);
-        if along > STRAIGHT_ON {
-            return Some((next, ahead));
-        }
-        if along < -STRAIGHT_ON {
-            // where branches cross the sense changes, and the walk goes straight on; another branch would lie aside
-            let aside = (0..4).map(|i| (next[i] - self.z[i] - step * self.ahead[i]).abs()).fold(0.0, f64::max);
-            let corner = (self.z[0].abs() - FRAC_PI_4) * (next[0].abs() - FRAC_PI_4) <= 0.0 && self.path.strands == 2;
-            return (aside < 1e-3 * step && !corner).then(|| {
-                self.sense = -self.sense;
-                (next, ahead.map(|x| -x))
-            });
-        }
-        // at a corner of the branch no step is short enough
-        (step < 1e-8).then_some((next, ahead))
-    }
-
-    /// The numbers whose change of sign is an event, with the fold's.
-    fn marks(&self, z: &Vector, ahead: &Vector) -> Vec<(Mark, f64)> {
-        let mut marks = self.here(z).marks(self.regime, self.route.curvature_limit);
-        marks.extend([(Mark::Fold, ahead[3]), (Mark::Arrival, z[3] - 1.0), (Mark::Straight, z[0])]);
-        marks
-    }
-
-    /// Two strands at π/4, where the radius begins to grow: the branch has a corner, at which it may turn back sharply. Goes to the
-    /// other side, if this is the place; a fold if the path turns there.
-    fn round_the_corner(&mut self, trace: &mut Trace) -> bool {
-        const NEAR: f64 = 1e-7;
-        let past = self.z[0].abs() - FRAC_PI_4;
-        if past.abs() > NEAR || self.regime.support() != Support::Neighbours {
-            return false;
-        }
-        let (side, onward) = (self.z[0].signum() * FRAC_PI_4, self.ahead[0].signum());
-        let [_, y, load, along] = self.z;
-        let Some(corner) = self.settled_at_angle([side, y, load, along]) else { return false };
-        let Some(z) = self.settled_at_angle([side + onward * NEAR, y, load, along]) else { return false };
-        self.z = z;
-        let Some(ahead) = self.tangent(&z) else { return false };
-        let before = self.ahead[3];
-        (self.ahead, self.sense) = (ahead, 1.0);
-        if ahead[0] * onward < 0.0 {
-            self.turn_round();
-        }
-        let (station, at) = (self.station(&corner), trace.stations.len());
-        if before * self.ahead[3] < 0.0 {
-            let ended = trace.stations.last().is_some_and(|last| last.stability == Some(Stability::Stable));
-            let jump = ended.then(|| self.path.landings(&station, corner[3] + before.signum() * 1e-11));
-            trace.push(Event { mark: Mark::Fold, station, before: at, jump });
-        }
-        trace.push(Event { mark: Mark::Diagonal, station, before: at, jump: None });
-        trace.stations.push(self.station(&self.z));
-        true
-    }
-
-    /// Everything that happens between here and `next`, in order, up to the first change of contacts; `None` if it cannot be
-    /// located in so long a step.
-    fn between(&self, next: &Vector, ahead: &Vector, step: f64) -> Option<Vec<(Mark, f64, Vector)>> {
-        let (before, after) = (self.marks(&self.z, &self.ahead), self.marks(next, ahead));
-        let mut found = Vec::new();
-        for (i, ((mark, a), (_, b))) in before.iter().zip(&after).enumerate() {
-            let crossed = match mark {
-                // a contact that does not hold any more, whatever it was before
-                Mark::ContactChange(_) => *b < 0.0,
-                Mark::Fold if a.abs() < NOISE && b.abs() < NOISE => false,
-                _ => *a < 0.0 && *b >= 0.0 || *a > 0.0 && *b <= 0.0,
-            };
-            if crossed {
-                let (at, mut z) = self.locate(i, *b < 0.0, step, next)?;
-                let at_corner = self.path.strands == 2 && *mark == Mark::Fold && (z[0].abs() - FRAC_PI_4).abs() < 1e-7;
-                if *mark == Mark::Diagonal || at_corner {
-                    // two strands have a corner here, next to which a step converges slowly
-                    z = self.settled_at_angle([z[0].signum() * FRAC_PI_4, z[1], z[2], z[3]]).unwrap_or(z);
-                }
-                found.push((*mark, at, z));
-            }
-        }
-        found.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let until = found.iter().position(|(mark, ..)| matches!(mark, Mark::ContactChange(_)));
-        found.truncate(until.map_or(found.len(), |i| i + 1));
-        Some(found)
-    }
-
-    /// Where number `i` of the marks changes sign within a step, by halving.
-    fn locate(&self, i: usize, negative_end: bool, step: f64, next: &Vector) -> Option<(f64, Vector)> {
-        let (mut low, mut high, mut place) = (0.0, step, *next);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            let z = self.arrive(middle)?;
-            let mut ahead = self.tangent(&z)?;
-            if dot(&ahead, &self.ahead) < 0.0 {
-                ahead = ahead.map(|x| -x);
-            }
-            let (_, value) = *self.marks(&z, &ahead).get(i)?;
-            if (value < 0.0) == negative_end {
-                (high, place) = (middle, z);
-            } else {
-                low = middle;
-            }
-        }
-        Some((high, place))
-    }
-
-    /// Goes over to other contacts at a place, in the sense in which they hold; whether there is such a sense.
-    fn change(&mut self, support: Support, z: Vector) -> bool {
-        let old = self.regime.support();
-        self.regime = Regime::On(support);
-        self.z = self.settled(z).unwrap_or(z);
-        let Some(ahead) = self.tangent(&self.z) else { return false };
-        let probe = (1e-4 * self.z[0].abs()).clamp(1e-10, 1e-6);
-        // the contact that opens must open, the one that closes must press
-        let watched = |walk: &Self, z: &Vector| {
-            let marks = walk.here(z).marks(walk.regime, None);
-            marks.iter().find(|(mark, _)| *mark == Mark::ContactChange(old)).map(|(_, value)| *value)
-        };
-        for sense in [1.0, -1.0] {
-            (self.ahead, self.sense) = (ahead.map(|x| sense * x), sense);
-            let Some(probe) = self.arrive(probe) else { continue };
-            if watched(self, &probe).is_some_and(|value| value > 0.0) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Whether the branch just ahead is stable.
-    fn stable_ahead(&self) -> bool {
-        self.arrive(1e-6).is_some_and(|z| self.station(&z).stability == Some(Stability::Stable))
-    }
-
-    /// Whether the branch just before a place within this step is stable.
-    fn stable_before(&self, z: &Vector, at: f64) -> bool {
-        let z = self.arrive((at - 1e-6).max(0.0)).unwrap_or(*z);
-        self.station(&z).stability == Some(Stability::Stable)
     }
 }
