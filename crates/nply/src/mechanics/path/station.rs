@@ -80,7 +80,8 @@ impl Mark {
     }
 }
 
-/// Something that happens on the way, and where: located to 1e-12 of the step.
+/// Something that happens on the way, and where: halved down to rounding, to 1e-10 as a rule. Next to straight strands, and where contacts
+/// change between branches that are nearly parallel, rounding leaves some 1e-8.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// What.
