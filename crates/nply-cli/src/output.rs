@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use nply_sheet::Report;
 
 use crate::failure::Failure;
 
@@ -33,6 +34,23 @@ impl Format {
 pub(crate) fn write(text: &str) -> Result<(), Failure> {
     let mut out = anstream::stdout();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::of_output)
+}
+
+/// A report, as it is asked for.
+pub(crate) fn write_report(arguments: &ArgMatches, report: &Report) -> Result<(), Failure> {
+    write(&match Format::of(arguments) {
+        Format::Table => report.text(true),
+        Format::Json => report.json(),
+        Format::Csv => report.csv(),
+    })
+}
+
+/// Draws the picture, where one is asked for.
+pub(crate) fn plot(arguments: &ArgMatches, svg: impl Fn() -> String) -> Result<(), Failure> {
+    let Some(path) = arguments.get_one::<String>("plot") else { return Ok(()) };
+    let mut draft = Draft::new(path)?;
+    draft.write(svg().as_bytes())?;
+    draft.keep()
 }
 
 /// A file that gets its name when it is whole: until then it stands beside it as a `.part`, and is removed if nothing comes of it. What is

@@ -1,71 +1,52 @@
-//! Studies: the locus, a path, a map.
+//! `nply map`: every state over a rectangle of two data.
 
-use std::num::NonZeroUsize;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::ArgMatches;
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use nply_sheet::map::{Cell, Map, MapFlags, MapPicture, Tally};
 use nply_sheet::table::TableWriter;
-use nply_sheet::{ErrorKind, LocusReport, Place, SpecError, TraceReport, Walk};
+use nply_sheet::{ErrorKind, Place, SpecError, Table};
 use rayon::prelude::*;
 
+use super::Verb;
+use crate::arguments::{corners, count, plot, with_keys};
 use crate::failure::Failure;
 use crate::input::{self, Input};
-use crate::output::{self, Draft, Format};
+use crate::interrupt;
+use crate::output::{self, Draft};
 
-/// `nply locus`: the loads at which touching strands part.
-pub(crate) fn locus(arguments: &ArgMatches) -> Result<(), Failure> {
-    let input = input::read(arguments)?;
-    let points = arguments.get_one::<u32>("points").map_or(LocusReport::POINTS, |points| *points as usize);
-    let report =
-        input.spec.check().and_then(|case| LocusReport::of(&case, points)).map_err(|error| input.refused(error))?;
-    plot(arguments, || report.picture().svg())?;
-    output::write(&match Format::of(arguments) {
-        Format::Table => report.text(true),
-        Format::Json => report.json(),
-        Format::Csv => report.csv(),
-    })
-}
-
-/// `nply trace`: a ply followed along a path.
-pub(crate) fn trace(arguments: &ArgMatches) -> Result<(), Failure> {
-    let input = input::read(arguments)?;
-    let leg = input::corner(arguments, "to-")?;
-    let walk = Walk {
-        start: arguments.get_one::<u32>("start").map(|start| *start as usize),
-        kept: arguments.get_flag("kept"),
-        curvature_limit: arguments.get_one::<f64>("curvature-limit").copied(),
-    };
-    let report = input
-        .spec
-        .check_path(leg.as_ref())
-        .and_then(|cases| TraceReport::of(cases, walk))
-        .map_err(|error| input.refused(error))?;
-    plot(arguments, || report.picture().svg())?;
-    output::write(&match Format::of(arguments) {
-        Format::Table => report.text(true),
-        Format::Json => report.json(),
-        Format::Csv => report.csv(),
-    })
-}
-
-/// Draws the picture, where one is asked for.
-fn plot(arguments: &ArgMatches, svg: impl Fn() -> String) -> Result<(), Failure> {
-    let Some(path) = arguments.get_one::<String>("plot") else { return Ok(()) };
-    let mut draft = Draft::new(path)?;
-    draft.write(svg().as_bytes())?;
-    draft.keep()
-}
+const LONG: &str = "\
+Finds every state over a rectangle of two data, on all cores: the number of states, angle, pressure, stable or not,
+separated or not. The corners are given by --from-... and --to-... flags (the first --to-... runs across, the second up)
+or by `from` and `to` in [map] of FILE. Writes a table, one row a state, to --output (CSV, or Parquet if it ends in
+.parquet) or to standard output, and a picture to --plot.";
 
 /// Points worked out between two looks at the clock and at Ctrl-C, in whole rows, at most 64 of them.
 const STRETCH: usize = 1 << 16;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+pub(super) const VERB: Verb =
+    Verb { name: "map", about: "Every state over two data", long: LONG, examples: true, arguments, run };
 
-/// `nply map`: every state over a rectangle of two data.
-pub(crate) fn map(arguments: &ArgMatches) -> Result<(), Failure> {
+fn arguments(command: Command) -> Command {
+    let command = with_keys(command, |key| key.table != Table::Lay && key.name != "separation");
+    let command = corners(command, "from-", "Where the rectangle begins");
+    corners(command, "to-", "Where it ends: the first of these runs across, the second up")
+        .arg(count("columns", "Points across (200)", u32::MAX.into()))
+        .arg(count("rows", "Points up (200)", u32::MAX.into()))
+        .arg(
+            Arg::new("output")
+                .long("output")
+                .short('o')
+                .value_name("FILE")
+                .help("Where to write the table: CSV, or Parquet if the name ends in .parquet"),
+        )
+        .arg(plot())
+        .arg(interrupt::jobs())
+        .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar"))
+}
+
+fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let input = input::read(arguments)?;
     let flags = MapFlags {
         from: input::corner(arguments, "from-")?,
@@ -82,12 +63,7 @@ pub(crate) fn map(arguments: &ArgMatches) -> Result<(), Failure> {
         let place = Place::Flag("plot".to_owned());
         return Err(input.refused(SpecError::new(ErrorKind::Contradiction, place, message)));
     }
-    if let Some(jobs) = arguments.get_one::<u32>("jobs").and_then(|jobs| NonZeroUsize::new(*jobs as usize)) {
-        // fails only where threads stand already, and then so many are used
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(jobs.get()).build_global();
-    }
-    // where it cannot be caught, Ctrl-C ends the program as it does any other
-    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+    interrupt::prepare(arguments);
     let drawn = arguments.get_one::<String>("plot");
     let mut picture = drawn.map(|_| MapPicture::new(&map));
     let quiet = arguments.get_flag("quiet");
@@ -143,7 +119,7 @@ fn metadata(map: &Map) -> Vec<(&'static str, String)> {
 /// The picture, and a few lines on what is in it.
 fn finish(arguments: &ArgMatches, map: &Map, picture: Option<&MapPicture>, tally: &Tally) -> Result<(), Failure> {
     if let Some(picture) = picture {
-        plot(arguments, || picture.svg(map))?;
+        output::plot(arguments, || picture.svg(map))?;
     }
     output::write(&tally.text(map))
 }
@@ -164,10 +140,7 @@ fn walk(
     let mut tally = Tally::default();
     let stretch = (STRETCH / map.x.count as usize).clamp(1, 64);
     for first in (0..rows).step_by(stretch) {
-        if INTERRUPTED.load(Ordering::Relaxed) {
-            bar.finish_and_clear();
-            return Err(Failure::Interrupted);
-        }
+        interrupt::check().inspect_err(|_| bar.finish_and_clear())?;
         let last = (first + stretch).min(rows);
         let cells: Result<Vec<Vec<Cell>>, _> = (first..last).into_par_iter().map(|row| map.row(row)).collect();
         let cells = cells.map_err(|error| input.refused(map.case().locate(&error)))?;

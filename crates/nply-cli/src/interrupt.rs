@@ -1,0 +1,31 @@
+//! Long work: how many threads it takes, and Ctrl-C, which ends it between two pieces and not in the midst of one.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{Arg, ArgMatches};
+
+use crate::arguments::count;
+use crate::failure::Failure;
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// `--jobs`.
+pub(crate) fn jobs() -> Arg {
+    const THREADS: i64 = 1024;
+    count("jobs", "Threads to use (all cores)", THREADS)
+}
+
+/// Makes the threads that `--jobs` asks for, and listens for Ctrl-C.
+pub(crate) fn prepare(arguments: &ArgMatches) {
+    if let Some(jobs) = arguments.get_one::<u32>("jobs") {
+        // fails only where threads stand already, and then so many are used
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(*jobs as usize).build_global();
+    }
+    // where it cannot be caught, Ctrl-C ends the program as it does any other
+    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+}
+
+/// Whether work may go on.
+pub(crate) fn check() -> Result<(), Failure> {
+    if INTERRUPTED.load(Ordering::Relaxed) { Err(Failure::Interrupted) } else { Ok(()) }
+}
