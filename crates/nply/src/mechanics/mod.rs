@@ -7,6 +7,7 @@ mod displacement;
 mod ends;
 mod energy;
 mod equilibrium;
+mod extensible;
 mod flexibility;
 mod fold;
 mod ledger;
@@ -30,6 +31,10 @@ pub use buckling::BendingBounds;
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;
+pub use extensible::{
+    Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchEnergy, StretchFlexibility,
+    StretchStiffness, StretchingStrand, Turning, WireStress, WorkingCore,
+};
 pub use ledger::Link;
 pub use load::Load;
 pub use locus::Locus;

@@ -5,6 +5,7 @@
 mod common;
 
 mod equilibrium;
+mod extensible;
 mod geometry;
 mod holding;
 mod refusal;
