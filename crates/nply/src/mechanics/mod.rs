@@ -3,6 +3,7 @@
 mod atlas;
 mod balance;
 mod buckling;
+mod cable;
 mod displacement;
 mod ends;
 mod energy;
@@ -28,6 +29,7 @@ mod twist;
 
 pub use balance::Balance;
 pub use buckling::BendingBounds;
+pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;
