@@ -55,6 +55,9 @@ const fn heading(table: Table) -> &'static str {
         Table::Load => "Load",
         Table::Ends => "Ends that are held (one)",
         Table::Support => "A core the strands may lie on (one)",
+        Table::Construction => "Strand",
+        Table::Core => "Core",
+        Table::Layer => "Layer (repeat a flag once for each layer, from the inside; a flag given once holds for all)",
     }
 }
 
@@ -66,7 +69,8 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Text => "TEXT",
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
-        Kind::Pressure => "PRESSURE",
+        Kind::Pressure | Kind::Modulus => "PRESSURE",
+        Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",
         Kind::Turns => "TURNS",
