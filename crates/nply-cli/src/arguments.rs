@@ -2,6 +2,7 @@
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
+use nply_sheet::construction::CONSTRUCTION_KEYS;
 use nply_sheet::{KEYS, Key, Kind, Table};
 
 pub(crate) fn plot() -> Arg {
@@ -39,6 +40,19 @@ pub(crate) fn with_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Comm
     let file = Arg::new("file").value_name("FILE").help("A TOML file with the ply; `-` reads standard input");
     KEYS.iter().filter(|key| wanted(key)).fold(command.arg(file), |command, key| {
         let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
+        command.arg(match key.kind {
+            Kind::Switch => flag.num_args(0..=1).default_missing_value("true").value_name("true|false"),
+            _ => flag.allow_hyphen_values(true).value_name(value_name(key.kind)),
+        })
+    })
+}
+
+/// FILE and one flag a key of a layered strand; those of a layer may be repeated.
+pub(crate) fn with_construction_keys(command: Command) -> Command {
+    let file = Arg::new("file").value_name("FILE").help("A TOML file with the strand; `-` reads standard input");
+    CONSTRUCTION_KEYS.iter().fold(command.arg(file), |command, key| {
+        let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
+        let flag = if key.table == Table::Layer { flag.action(ArgAction::Append) } else { flag };
         command.arg(match key.kind {
             Kind::Switch => flag.num_args(0..=1).default_missing_value("true").value_name("true|false"),
             _ => flag.allow_hyphen_values(true).value_name(value_name(key.kind)),

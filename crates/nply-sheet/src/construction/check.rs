@@ -148,7 +148,7 @@ impl ConstructionSpec {
             }),
         };
         let gap = match get(Datum::LayerGap) {
-            Some(entry) if !(entry.number() >= 0.0) => {
+            Some(entry) if entry.number() < 0.0 => {
                 let message = format!("{}: a gap that is wanted must be at least 0", entry.said());
                 return Err(entry.error(ErrorKind::Domain, message));
             }

@@ -18,6 +18,7 @@
 //! ```
 
 mod check;
+mod fit;
 mod key;
 mod material;
 mod written;
@@ -25,6 +26,8 @@ mod written;
 use nply::geometry::WireLay;
 use nply::{DomainError, Handedness};
 
+pub(crate) use check::GivenLayer;
+pub use fit::Fit;
 pub use key::CONSTRUCTION_KEYS;
 pub use material::{MATERIALS, Material};
 pub use written::ConstructionSpec;
