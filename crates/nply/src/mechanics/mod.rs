@@ -12,6 +12,7 @@ mod extensible;
 mod flexibility;
 mod fold;
 mod ledger;
+mod line_contact;
 mod load;
 mod locus;
 mod margin;
@@ -29,7 +30,7 @@ mod twist;
 
 pub use balance::Balance;
 pub use buckling::BendingBounds;
-pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, Rod};
+pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use nply::Handedness;
-use nply::geometry::HelicalAngle;
+use nply::geometry::{HelicalAngle, WireLay};
 use nply::mechanics::{
     Axial, Cable, CableGrips, CableState, ExtensiblePly, FormedLay, Grips, Layer, LayerSupport, Rod, StretchingStrand,
     Support, Turning, Twist, WorkingCore,
@@ -27,7 +27,7 @@ fn any_cable() -> impl Strategy<Value = (f64, Vec<Layer>)> {
             let strands = f64::max(f64::floor(fill * most), 2.0) as u32;
             below += 2.0 * radius;
             let rod = Rod::solid_round(radius, 100.0, nu).unwrap();
-            Layer { strands, rod, handedness, lay_length: ratio * 2.0 * below, preforming }
+            Layer { strands, rod, handedness, lay: WireLay::Length(ratio * 2.0 * below), preforming, pretwist: 0.0 }
         });
         let layers: Vec<Layer> = layers.collect();
         (core, layers)
@@ -136,7 +136,14 @@ fn one_layer_is_a_ply() {
             let (nu, nu_core) = (0.3, 0.25);
             let wire = Rod::solid_round(1.0, 4.0 / std::f64::consts::PI, nu).unwrap(); // B = 1
             let king = Rod::solid_round(core, 3.0 / std::f64::consts::PI, nu_core).unwrap();
-            let layer = Layer { strands: n, rod: wire, handedness, lay_length, preforming };
+            let layer = Layer {
+                strands: n,
+                rod: wire,
+                handedness,
+                lay: WireLay::Length(lay_length),
+                preforming,
+                pretwist: 0.0,
+            };
             let cable = Cable::new(Some(king), &[layer]).unwrap();
             let (strain, turning) = (0.004, 0.0005);
             let state = cable.loaded(clamped(strain, turning)).unwrap();
@@ -167,6 +174,13 @@ fn one_layer_is_a_ply() {
             // per cable length against per rod length
             close(one.pressure_below * c0, twin.core_pressure(), "pressure on the core");
             close(one.interstrand_pressure * c0, twin.interstrand_pressure(), "pressure between neighbours");
+            // in units of E: 4/π of these wires
+            let in_modulus = |p: Option<f64>| p.map(|p| p * std::f64::consts::FRAC_PI_4);
+            assert_eq!(one.neighbour_hertz_pressure.is_some(), twin.neighbour_hertz_pressure().is_some());
+            if let (Some(a), Some(b)) = (in_modulus(one.neighbour_hertz_pressure), twin.neighbour_hertz_pressure()) {
+                close(a, b, "Hertz");
+            }
+            close(one.core_line_load.unwrap_or(0.0), twin.core_line_load(), "line load");
             let (k, own) = (state.stiffness().unwrap(), twin.stiffness().unwrap());
             close(k.axial, own.axial / (1.0 + strain), "EA"); // per present length
             close(k.coupling, own.coupling / (1.0 + strain), "coupling");
@@ -180,8 +194,22 @@ fn one_layer_is_a_ply() {
 fn opposite_layers_balance() {
     let wire = Rod::solid_round(1.0, 100.0, 0.0).unwrap();
     let torque = |lay_length: f64| {
-        let inner = Layer { strands: 6, rod: wire, handedness: Handedness::Left, lay_length: 60.0, preforming: 1.0 };
-        let outer = Layer { strands: 12, rod: wire, handedness: Handedness::Right, lay_length, preforming: 1.0 };
+        let inner = Layer {
+            strands: 6,
+            rod: wire,
+            handedness: Handedness::Left,
+            lay: WireLay::Length(60.0),
+            preforming: 1.0,
+            pretwist: 0.0,
+        };
+        let outer = Layer {
+            strands: 12,
+            rod: wire,
+            handedness: Handedness::Right,
+            lay: WireLay::Length(lay_length),
+            preforming: 1.0,
+            pretwist: 0.0,
+        };
         let cable = Cable::new(Some(Rod::solid_round(1.05, 100.0, 0.0).unwrap()), &[inner, outer]).unwrap();
         cable.laid().unwrap().torque_factor()
     };
@@ -204,7 +232,8 @@ fn a_strand_is_a_rod() {
     let wire = Rod::solid_round(0.5, 200e3, 0.3).unwrap();
     let king = Rod::solid_round(0.53, 200e3, 0.3).unwrap();
     let strand = |handedness| {
-        let six = Layer { strands: 6, rod: wire, handedness, lay_length: 25.0, preforming: 1.0 };
+        let six =
+            Layer { strands: 6, rod: wire, handedness, lay: WireLay::Length(25.0), preforming: 1.0, pretwist: 0.0 };
         Cable::new(Some(king), &[six]).unwrap()
     };
     let rod = strand(Handedness::Left).as_rod().unwrap();
@@ -219,8 +248,9 @@ fn a_strand_is_a_rod() {
             strands: 6,
             rod: strand(hand).as_rod().unwrap(),
             handedness: Handedness::Right,
-            lay_length: 70.0,
+            lay: WireLay::Length(70.0),
             preforming: 1.0,
+            pretwist: 0.0,
         };
         Cable::new(Some(Rod::new(1.7, 1e3, 1e3, 1e3, 0.3).unwrap()), &[outer]).unwrap().laid().unwrap()
     };
@@ -233,8 +263,14 @@ fn a_strand_is_a_rod() {
 #[test]
 fn regimes_and_refusals() {
     let wire = Rod::solid_round(1.0, 100.0, 0.3).unwrap();
-    let layer =
-        |lay_length: f64| Layer { strands: 6, rod: wire, handedness: Handedness::Right, lay_length, preforming: 1.0 };
+    let layer = |lay_length: f64| Layer {
+        strands: 6,
+        rod: wire,
+        handedness: Handedness::Right,
+        lay: WireLay::Length(lay_length),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
     let on = |core: f64, lay_length: f64| {
         Cable::new(Some(Rod::solid_round(core, 100.0, 0.3).unwrap()), &[layer(lay_length)]).unwrap().laid().unwrap()
     };

@@ -25,8 +25,8 @@ pub(super) struct Deformed {
     pub(super) give: f64,
     /// the same for the outside
     pub(super) outer_by_radius: f64,
-    /// ρ of touching rods at this angle
-    pub(super) touching: f64,
+    /// touching rods at this angle
+    pub(super) touching: Contact,
 }
 
 /// Shape and energy of a rod at a radius.
@@ -74,7 +74,7 @@ impl Laid {
 
     /// ρ of touching rods as a function of the angle.
     fn touching(&self, at: &At) -> Jet2 {
-        let angle = of_tangent(at.sin.value, at.cos.value);
+        let angle = HelicalAngle::of_tangent(at.sin.value, at.cos.value);
         let contact = Contact::at(self.layer.strands, angle);
         let [s, c] = [angle.sin(), angle.cos()];
         let tan = at.sin * at.cos.recip();
@@ -104,6 +104,7 @@ impl Laid {
         };
         let at = self.at(z, y, radius);
         let (energy, extension, bent, twisted) = self.energy(&at);
+        let angle = HelicalAngle::of_tangent(at.sin.value, at.cos.value);
         let free = self.over_radius(z, y, radius.value);
         let room = match support {
             LayerSupport::Below => r * free.thick,
@@ -114,14 +115,14 @@ impl Laid {
             radius,
             outer: radius + r * at.thick,
             energy,
-            angle: of_tangent(at.sin.value, at.cos.value),
+            angle,
             strain: extension.value,
             bending: bent.value,
             torsion: self.layer.handedness.sign() * twisted.value,
             by_radius: self.energy(&free).0.a,
             give: 1.0 - room.a,
             outer_by_radius: 1.0 + r * free.thick.a,
-            touching: self.touching(&at).value,
+            touching: Contact::at(self.layer.strands, angle),
         })
     }
 
@@ -183,9 +184,4 @@ impl Laid {
         let total = self.energy(&at).0 + below * room + above * (r * at.thick);
         [total.a, total.b]
     }
-}
-
-/// The angle of a helix from the sides of its triangle.
-fn of_tangent(sin: f64, cos: f64) -> HelicalAngle {
-    if sin < cos { HelicalAngle::of_sine(sin) } else { HelicalAngle::of_cosine(cos) }
 }

@@ -1,17 +1,21 @@
 //! Cables: a core and concentric layers of wires or strands, each with its own hand and lay, coupled by strain and turning.
 
 mod deformed;
+mod design;
 mod layer;
+mod lift;
 mod rod;
 mod state;
 
 pub use layer::{Layer, LayerSupport};
+pub use lift::{LetsGo, LiftOff};
 pub use rod::Rod;
 pub use state::{CableGrips, CableState, LayerState};
 
 use core::f64::consts::PI;
 
 use super::extensible::StretchStiffness;
+use crate::geometry::WireStrand;
 use crate::{DomainError, Handedness};
 use layer::Laid;
 
@@ -24,14 +28,15 @@ use layer::Laid;
 ///
 /// ```
 /// use nply::mechanics::{Cable, Layer, Rod};
-/// use nply::Handedness;
+/// use nply::{Handedness, geometry::WireLay};
 /// // a seven-wire strand in N and mm: king wire 5.2, six wires of 5, lay length 220
 /// let six = Layer {
 ///     strands: 6,
 ///     rod: Rod::solid_round(2.5, 200e3, 0.3)?,
 ///     handedness: Handedness::Left,
-///     lay_length: 220.0,
+///     lay: WireLay::Length(220.0),
 ///     preforming: 1.0,
+///     pretwist: 0.0,
 /// };
 /// let strand = Cable::new(Some(Rod::solid_round(2.6, 200e3, 0.3)?), &[six])?;
 /// let stiffness = strand.laid()?.stiffness().expect("it resists");
@@ -50,15 +55,17 @@ impl Cable {
     ///
     /// # Errors
     /// [`DomainError`] unless there is a layer, and on any layer that cannot be laid: fewer than two rods, a lay length no such layer can
-    /// have, preforming outside 0 to 1.
+    /// have, preforming outside 0 to 1, a pretwist that is not finite.
     pub fn new(core: Option<Rod>, layers: &[Layer]) -> Result<Self, DomainError> {
         DomainError::check(!layers.is_empty(), "layers", 0.0, "at least one")?;
-        let mut below = core.map_or(0.0, Rod::radius);
+        let mut strand = WireStrand::on_core(core.map(Rod::radius))?;
         let mut laid = Vec::with_capacity(layers.len());
         for layer in layers {
-            let on = layer.laid_on(below)?;
-            below = on.radius + layer.rod.radius();
-            laid.push(on);
+            let preforming = layer.preforming;
+            DomainError::check((0.0..=1.0).contains(&preforming), "preforming", preforming, "between 0 and 1")?;
+            DomainError::check(layer.pretwist.is_finite(), "pretwist", layer.pretwist, "finite")?;
+            let on = strand.lay(layer.strands, layer.rod.radius(), layer.lay)?;
+            laid.push(Laid { layer: *layer, angle: on.taken_angle(), radius: on.taken_radius() });
         }
         Ok(Self { core, layers: laid })
     }
@@ -111,12 +118,12 @@ impl Cable {
     ///
     /// ```
     /// use nply::mechanics::{Cable, Layer, Rod};
-    /// use nply::Handedness;
+    /// use nply::{Handedness, geometry::WireLay};
     /// let wire = Rod::solid_round(0.5, 200e3, 0.3)?;
-    /// let six = Layer { strands: 6, rod: wire, handedness: Handedness::Left, lay_length: 25.0, preforming: 1.0 };
+    /// let six = Layer { strands: 6, rod: wire, handedness: Handedness::Left, lay: WireLay::Length(25.0), preforming: 1.0, pretwist: 0.0 };
     /// let strand = Cable::new(Some(Rod::solid_round(0.53, 200e3, 0.3)?), &[six])?.as_rod()?;
     /// // a right-hand ordinary lay rope: six left-hand strands, laid to the right on a fibre core
-    /// let outer = Layer { strands: 6, rod: strand, handedness: Handedness::Right, lay_length: 70.0, preforming: 1.0 };
+    /// let outer = Layer { strands: 6, rod: strand, handedness: Handedness::Right, lay: WireLay::Length(70.0), preforming: 1.0, pretwist: 0.0 };
     /// let core = Rod::new(1.7, 1e4, 1e3, 1e3, 0.3)?;
     /// let rope = Cable::new(Some(core), &[outer])?;
     /// assert!(rope.laid()?.stiffness().is_some());

@@ -22,6 +22,7 @@ pub struct Rod {
     torsional: f64,
     coupling: f64,
     poissons_ratio: f64,
+    youngs_modulus: Option<f64>,
 }
 
 impl Rod {
@@ -34,7 +35,8 @@ impl Rod {
         check_poisson(poissons_ratio)?;
         let axial = PI * youngs_modulus * radius * radius;
         let bending = 0.25 * axial * radius * radius;
-        Self::new(radius, axial, bending, bending / (1.0 + poissons_ratio), poissons_ratio)
+        let rod = Self::new(radius, axial, bending, bending / (1.0 + poissons_ratio), poissons_ratio)?;
+        Ok(Self { youngs_modulus: Some(youngs_modulus), ..rod })
     }
 
     /// Radius, EA, bending stiffness B, torsional stiffness C, and Poisson's ratio: by how much the radius shrinks per strain, over itself.
@@ -62,7 +64,18 @@ impl Rod {
         [axial, bending, torsional, coupling]: [f64; 4],
         poissons_ratio: f64,
     ) -> Self {
-        Self { radius, axial, bending, torsional, coupling, poissons_ratio }
+        Self { radius, axial, bending, torsional, coupling, poissons_ratio, youngs_modulus: None }
+    }
+
+    /// E of a solid round wire; `None` of what was given by its stiffnesses.
+    #[must_use]
+    pub const fn youngs_modulus(self) -> Option<f64> {
+        self.youngs_modulus
+    }
+
+    /// E and ν of a solid round wire.
+    pub(super) fn material(self) -> Option<[f64; 2]> {
+        self.youngs_modulus.map(|modulus| [modulus, self.poissons_ratio])
     }
 
     /// Radius.

@@ -2,9 +2,10 @@
 
 use super::deformed::Deformed;
 use super::layer::LayerSupport;
-use super::{Cable, Layer};
+use super::{Cable, Layer, Rod};
 use crate::geometry::HelicalAngle;
 use crate::mechanics::StretchStiffness;
+use crate::mechanics::line_contact::{WireSurface, hertz_pressure, inward_to_neighbour};
 use crate::numerics::jet::Jet;
 use crate::numerics::jet2::Jet2;
 use crate::{DomainError, Handedness};
@@ -63,6 +64,15 @@ pub struct LayerState {
     pub interstrand_pressure: f64,
     /// Least distance between the surfaces of neighbours.
     pub gap: f64,
+    /// Where the innermost layer lies along a core, each rod: force per length of the line of contact. Layers that cross those below touch them in
+    /// points, of which nothing is said.
+    pub core_line_load: Option<f64>,
+    /// The greatest pressure there, by Hertz, of solid wires on a solid core.
+    pub core_hertz_pressure: Option<f64>,
+    /// Force between neighbours per length of the line along which they touch.
+    pub neighbour_line_load: Option<f64>,
+    /// The greatest pressure there, by Hertz, of solid wires.
+    pub neighbour_hertz_pressure: Option<f64>,
 }
 
 /// A cable at a strain and a turning of its axis, with the loads that hold it there.
@@ -96,13 +106,14 @@ impl Cable {
     ///
     /// ```
     /// use nply::mechanics::{Cable, CableGrips, Layer, Rod};
-    /// use nply::Handedness;
+    /// use nply::{Handedness, geometry::WireLay};
     /// let six = Layer {
     ///     strands: 6,
     ///     rod: Rod::solid_round(2.5, 200e3, 0.3)?,
     ///     handedness: Handedness::Right,
-    ///     lay_length: 220.0,
+    ///     lay: WireLay::Length(220.0),
     ///     preforming: 1.0,
+    ///     pretwist: 0.0,
     /// };
     /// let strand = Cable::new(Some(Rod::solid_round(2.6, 200e3, 0.3)?), &[six])?;
     /// let pulled = strand.loaded(CableGrips::Turned { force: 100e3, turning: 0.0 })?;
@@ -212,12 +223,27 @@ impl Cable {
             };
             let [force, moment] =
                 laid.share(here, strain, turning, carried[i] / rods, above / rods).map(|share| rods * share);
-            let n = f64::from(laid.layer.strands);
-            let r = laid.layer.rod.radius();
-            let thick = r * (1.0 - laid.layer.rod.poissons_ratio() * here.strain);
+            let rod = laid.layer.rod;
+            let (n, r) = (f64::from(laid.layer.strands), rod.radius());
+            let thick = r * (1.0 - rod.poissons_ratio() * here.strain);
             let (pressure_below, interstrand_pressure, gap) = match here.support {
-                LayerSupport::Below => (carried[i] / n, 0.0, 2.0 * (here.radius.value / here.touching - thick)),
-                LayerSupport::Neighbours => (0.0, 0.5 * carried[i] / n * here.touching, 0.0),
+                LayerSupport::Below => {
+                    (carried[i] / n, 0.0, 2.0 * (here.radius.value / here.touching.radius_ratio() - thick))
+                }
+                LayerSupport::Neighbours => (0.0, 0.5 * carried[i] / n * here.touching.radius_ratio(), 0.0),
+            };
+            // wires along each other: loads per length of their common line
+            let wire =
+                WireSurface { radius: thick, curvature: here.angle.sin() * here.angle.sin() / here.radius.value };
+            let turn = (laid.rotation() / laid.angle.cos() + laid.layer.handedness.sign() * turning).abs();
+            let line = |radius: f64| libm::hypot(1.0 + strain, radius * turn);
+            let on_core = (i == 0 && pressure_below > 0.0).then_some(self.core).flatten();
+            let core_line_load = on_core.map(|_| pressure_below / line(core_radius.value));
+            let pressed = interstrand_pressure > 0.0;
+            let neighbour_line_load =
+                pressed.then(|| interstrand_pressure / line(here.touching.contact_line_radius() * thick));
+            let hertz = |load: Option<f64>, curvature: f64, other: Option<Rod>| {
+                hertz_pressure(load?, curvature, [rod.material()?, other?.material()?])
             };
             LayerState {
                 layer: laid.layer,
@@ -232,6 +258,14 @@ impl Cable {
                 pressure_below,
                 interstrand_pressure,
                 gap,
+                core_line_load,
+                core_hertz_pressure: hertz(core_line_load, wire.facing(1.0) + 1.0 / core_radius.value, on_core),
+                neighbour_line_load,
+                neighbour_hertz_pressure: hertz(
+                    neighbour_line_load,
+                    2.0 * wire.facing(inward_to_neighbour(&here.touching)),
+                    Some(rod),
+                ),
             }
         });
         let layers: Vec<LayerState> = layers.collect();
