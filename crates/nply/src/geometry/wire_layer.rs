@@ -61,16 +61,16 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// What lay length n wires take.
 const RINGS: &str = "greater than the wires' number times their diameter (and a gap that is wanted), where they are flat rings on top of each other";
 
-const LARGEST: f64 = 1e150;
+const LARGEST: f64 = 1e100;
 
 pub(super) fn check_size(size: f64, quantity: &'static str) -> Result<(), DomainError> {
     // areas and their sums are numbers, too
-    let allowed = "greater than 0 (at least 1e-150) and at most 1e150";
-    DomainError::check((1e-150..=LARGEST).contains(&size), quantity, size, allowed)
+    let allowed = "greater than 0 (at least 1e-100) and at most 1e100";
+    DomainError::check((1e-100..=LARGEST).contains(&size), quantity, size, allowed)
 }
 
 fn check_core(radius: f64) -> Result<(), DomainError> {
-    DomainError::check((0.0..=LARGEST).contains(&radius), "core_radius", radius, "at least 0 and at most 1e150")
+    DomainError::check((0.0..=LARGEST).contains(&radius), "core_radius", radius, "at least 0 and at most 1e100")
 }
 
 /// Touching helices of n tubes of radius r with lay length P.
@@ -129,6 +129,7 @@ impl WireLayer {
             _ => touching.lay_length() * wire_radius,
         };
         let lay_radius = touching.radius_ratio() * wire_radius;
+        DomainError::check(lay_radius <= LARGEST, "lay_radius", lay_radius, "at most 1e100")?;
         let angle = touching.angle();
         Ok(Self { wire_radius, core_radius: 0.0, lay_length, lay_radius, angle, gap: 0.0, touching })
     }
