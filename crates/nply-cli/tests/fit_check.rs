@@ -211,7 +211,9 @@ fn table_and_csv_say_the_same() {
     let found = fit("5 mm", "5 mm", "6", "80 mm");
     for (name, cell) in head.iter().zip(&row) {
         match &found[*name] {
-            Value::Number(value) => assert_eq!(cell.parse::<f64>().unwrap(), value.as_f64().unwrap(), "{name}"),
+            Value::Number(value) => {
+                assert_eq!(cell.parse().map(f64::to_bits), Ok(value.as_f64().unwrap().to_bits()), "{name}")
+            }
             Value::String(word) => assert_eq!(cell, word),
             value => assert!(*name == "layer" || value.is_null() && cell.is_empty(), "{name}: {value}"),
         }
@@ -293,5 +295,5 @@ fn no_core_and_a_core_of_nothing() {
     }
     let two = fit("0", "4", "2", "60");
     assert_eq!((&two["contact"], number(&two, "strand_outer_diameter")), (&"neighbours".into(), 8.0));
-    assert_eq!(number(&two, "king_wire_diameter"), 0.0);
+    near(number(&two, "king_wire_diameter"), 0.0, 0.0);
 }
