@@ -179,8 +179,9 @@ impl ConstructionSpec {
         let with = self.all().filter(has_dimension).find(|entry| is_measured(entry));
         let without = self.all().filter(has_dimension).find(|entry| !is_measured(entry) && entry.number() != 0.0);
         if let (Some(with), Some(without)) = (with, without) {
+            let has = if is_material(with.key.datum) { "stands for a density in kg/m³" } else { "has" };
             let message = format!(
-                "{} has no unit, but {} has: write units everywhere, or nowhere; what is wanted is {}",
+                "{} has no unit, but {} {has}: write units everywhere, or nowhere; what is wanted is {}",
                 without.said(),
                 with.said(),
                 without.key.kind.wanted()

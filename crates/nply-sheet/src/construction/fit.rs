@@ -6,7 +6,9 @@ use nply::geometry::{WireLay, WireLayer, WireStrand};
 use super::check::{Given, GivenLayer, Stuff};
 use super::{ConstructionSpec, Core};
 use crate::key::Group;
-use crate::{Datum, ErrorKind, PreferredUnits, SpecError, Table};
+use crate::preferred::six_digits;
+use crate::spec::Entry;
+use crate::{Datum, Dimension, ErrorKind, PreferredUnits, SpecError, Table};
 
 /// A layered strand laid, with what had to be found for it.
 ///
@@ -16,7 +18,7 @@ use crate::{Datum, ErrorKind, PreferredUnits, SpecError, Table};
 /// let flags = [("strands", "6"), ("wire-diameter", "3.73 mm"), ("lay-length", "115 mm"), ("gap", "0.05 mm")];
 /// let fit = ConstructionSpec::from_flags(flags)?.check_fit()?;
 /// assert!((fit.strand.layers()[0].gap() - 5e-5).abs() < 1e-16);
-/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.9548e-3).abs() < 5e-8);
+/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.95526e-3).abs() < 5e-9);
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -54,10 +56,10 @@ impl ConstructionSpec {
         let mut strand = WireStrand::on_core(core_diameter.map(|diameter| 0.5 * diameter))
             .map_err(|error| self.locate(0, &error))?;
         let mut nominal = Vec::new();
-        let mut below = core_diameter.map(|diameter| 0.5 * diameter);
+        let mut below = core_diameter.map(|diameter| 0.5 * diameter).filter(|radius| *radius > 0.0);
         for (at, layer) in given.layers.iter().enumerate() {
-            let refused = |error: DomainError| self.locate(at, &error);
             let radius = 0.5 * layer.wire_diameter.ok_or_else(|| self.ask(at, Datum::LayerWireDiameter))?;
+            let refused = |error: DomainError| refusal(self, &given, at, radius, &error);
             let lay = match (layer.lay, strand.layers().last(), core_diameter) {
                 (Some(lay), ..) => lay,
                 (None, None, None) => return Err(self.ask(at, Datum::LayerLayLength)),
@@ -71,7 +73,9 @@ impl ConstructionSpec {
             let laid = strand.lay(layer.wires, radius, lay).map_err(refused)?;
             let drawn = match below {
                 Some(below) => WireLayer::on_core(layer.wires, radius, below, lay).map_err(refused)?,
-                None => laid,
+                None => {
+                    WireLayer::without_core(layer.wires, radius, WireLay::Length(laid.lay_length())).map_err(refused)?
+                }
             };
             below = Some(drawn.lay_radius() + radius);
             nominal.push(drawn);
@@ -88,6 +92,49 @@ impl Fit {
         let diameter = self.strand.core_radius().map(|radius| 2.0 * radius).filter(|diameter| *diameter > 0.0)?;
         let Stuff { density, youngs_modulus, poissons_ratio } = self.core;
         Some(Core { diameter, density, youngs_modulus, poissons_ratio })
+    }
+}
+
+/// The refusal of a layer of wires of radius r, in the words of whoever wrote it.
+fn refusal(spec: &ConstructionSpec, given: &Given, at: usize, radius: f64, error: &DomainError) -> SpecError {
+    let length = |value: f64| match given.measured {
+        true => given.units.format(Dimension::LENGTH, value),
+        false => six_digits(value),
+    };
+    let Some(layer) = given.layers.get(at) else { return spec.locate(at, error) };
+    let entry = |wanted: fn(&Entry) -> bool| {
+        spec.layers.get(at).and_then(|part| part.entries.iter().find(|entry| wanted(entry)))
+    };
+    let wires = format!("{} wires of {}", layer.wires, length(2.0 * radius));
+    let rings = 2.0 * radius * f64::from(layer.wires);
+    let lay = entry(|entry| entry.key.group == Some(Group::LayerLay));
+    match (error.quantity, lay) {
+        ("lay_length", Some(lay)) if error.value <= 1.5 * rings => {
+            let message = format!(
+                "{} is too short a lay for {wires}: as flat rings on top of each other they need {}, and any lay more than that",
+                lay.said(),
+                length(rings)
+            );
+            lay.error(ErrorKind::Domain, message)
+        }
+        ("core_radius", None) => {
+            let gap = match layer.gap {
+                Some(gap) if gap > 0.0 => format!("leave no more than a gap of {}", length(gap)),
+                _ => "leave no gap between each other".to_owned(),
+            };
+            let message = format!(
+                "the lay is missing, and none can be found: {wires} {gap} on {} even where they are straight, and come closer the shorter their \
+                 lay; give {}, or a larger core",
+                length(2.0 * error.value),
+                spec.ask_for(Datum::LayerLayLength)
+            );
+            let place = entry(|entry| entry.key.datum == Datum::LayerWires);
+            match place {
+                Some(entry) => entry.error(ErrorKind::Domain, message),
+                None => spec.missing(Some(at), Datum::LayerLayLength, message),
+            }
+        }
+        _ => spec.locate(at, error),
     }
 }
 
