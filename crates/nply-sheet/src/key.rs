@@ -236,7 +236,13 @@ pub enum Datum {
     LayerMaterial,
     LayerYoungsModulus,
     LayerPoissonsRatio,
-    LayerPreformed,
+    LayerPreforming,
+    LayerPretwist,
+    CableForce,
+    CableMoment,
+    CableTurning,
+    CableTorqueFactor,
+    CableBalancedLayer,
 }
 
 /// One key: where it stands in the file, its flag, what it means.

@@ -37,7 +37,7 @@ pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
     AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, Reading, Report, Section,
-    ShapeReport, SpecialPoint, TraceReport, Walk,
+    ShapeReport, SpecialPoint, StiffnessReport, TraceReport, Walk,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

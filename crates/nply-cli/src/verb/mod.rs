@@ -6,6 +6,7 @@ mod lays;
 mod locus;
 mod map;
 mod solve;
+mod stiffness;
 mod support;
 mod trace;
 
@@ -28,7 +29,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] = [
+static VERBS: [&Verb; 9] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -37,6 +38,7 @@ static VERBS: [&Verb; 8] = [
     &contact::VERB,
     &lays::VERB,
     &fit_check::VERB,
+    &stiffness::VERB,
 ];
 
 const EXAMPLES: &str = "\

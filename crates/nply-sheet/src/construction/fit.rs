@@ -4,7 +4,7 @@ use nply::DomainError;
 use nply::geometry::{WireLay, WireLayer, WireStrand};
 
 use super::check::{Given, GivenLayer, Stuff};
-use super::{ConstructionSpec, Core};
+use super::{Construction, ConstructionSpec, Core};
 use crate::key::Group;
 use crate::preferred::six_digits;
 use crate::spec::Entry;
@@ -37,6 +37,7 @@ pub struct Fit {
     /// The units the input was written in.
     pub units: PreferredUnits,
     pub(crate) core: Stuff,
+    core_strand: Option<Construction>,
     pub(crate) layers: Vec<GivenLayer>,
 }
 
@@ -80,8 +81,8 @@ impl ConstructionSpec {
             below = Some(drawn.lay_radius() + radius);
             nominal.push(drawn);
         }
-        let Given { title, measured, units, core, layers, .. } = given;
-        Ok(Fit { title, strand, nominal, found, measured, units, core, layers })
+        let Given { title, measured, units, core, core_strand, layers, .. } = given;
+        Ok(Fit { title, strand, nominal, found, measured, units, core, core_strand, layers })
     }
 }
 
@@ -91,7 +92,8 @@ impl Fit {
     pub fn core(&self) -> Option<Core> {
         let diameter = self.strand.core_radius().map(|radius| 2.0 * radius).filter(|diameter| *diameter > 0.0)?;
         let Stuff { density, youngs_modulus, poissons_ratio } = self.core;
-        Some(Core { diameter, density, youngs_modulus, poissons_ratio })
+        let strand = self.core_strand.clone().map(Box::new);
+        Some(Core { diameter, density, youngs_modulus, poissons_ratio, strand })
     }
 }
 
@@ -145,7 +147,7 @@ fn sizes(
     found: &mut Vec<&'static str>,
 ) -> Result<(Option<f64>, Given), SpecError> {
     let several = given.layers.len() > 1;
-    let first = given.layers.first().copied();
+    let first = given.layers.first().cloned();
     let Some(first) = first else { return Err(spec.ask(0, Datum::LayerWires)) };
     let outer = given.outer_diameter;
     if let (Some(_), Some(entry)) = (outer, spec.head(Datum::StrandOuterDiameter)) {

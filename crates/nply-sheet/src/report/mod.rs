@@ -11,6 +11,7 @@ mod locus_picture;
 mod margin;
 mod measure;
 mod shape;
+mod stiffness;
 mod support;
 mod text;
 mod trace;
@@ -25,6 +26,7 @@ pub use lays::LaysReport;
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
 pub use shape::ShapeReport;
+pub use stiffness::StiffnessReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
 
