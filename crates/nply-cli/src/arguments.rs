@@ -67,6 +67,8 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
         Kind::Pressure => "PRESSURE",
+        Kind::LinearDensity => "LINEAR DENSITY",
+        Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",
         Kind::Turns => "TURNS",

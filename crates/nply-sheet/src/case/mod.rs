@@ -1,10 +1,12 @@
 //! One ply, dimensionless, and the one question asked about it.
 
 mod ends;
+mod fibre;
 mod lay;
 mod measure;
 mod origin;
 mod question;
+mod relative;
 mod strand;
 mod support;
 mod twist;
@@ -18,6 +20,8 @@ use origin::Origins;
 
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
+pub(crate) use relative::any_thermal;
+
 use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
 
 /// A ply in which everything is known that the theory needs; lengths over r, forces over B/r², moments over B/r.
@@ -56,6 +60,8 @@ pub struct Case {
     pub strand_radius: Option<f64>,
     /// L/r, where the strand length is given.
     pub strand_length: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -154,6 +160,8 @@ pub enum Lay {
 impl Case {
     /// With the question what carries the strands, if `supports` asks for it or a core is given.
     pub(crate) fn of(spec: &Spec, supports: bool) -> Result<Self, SpecError> {
+        let spec = relative::resolved(spec)?;
+        let spec = spec.as_ref();
         let strands = strands(spec, 2)?;
         let strand = strand::Strand::of(spec)?;
         let measure = strand.measure(spec);
@@ -182,6 +190,7 @@ impl Case {
             scale: strand.scale,
             strand_radius: strand.radius,
             strand_length,
+            packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),
             origins: Origins::of(spec),
         })

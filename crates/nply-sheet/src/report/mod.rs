@@ -62,7 +62,8 @@ impl Report {
     /// [`SpecError`] where the theory refuses a premise, at the place of the datum it comes from.
     pub fn of(case: Case) -> Result<Self, SpecError> {
         let solution = case.solve().map_err(|error| case.locate(&error))?;
-        let notes = notes(&case, &solution);
+        let mut notes = notes(&case, &solution);
+        notes.extend(packing(&case));
         Ok(Self { case, solution, notes })
     }
 
@@ -78,6 +79,16 @@ impl Report {
     fn margins(&self, state: &Equilibrium) -> margin::Margins {
         if at_separation(&self.case) { margin::Margins::NONE } else { margin::Margins::of(state) }
     }
+}
+
+/// What is taken for granted where a titre gives the size.
+pub(super) fn packing(case: &Case) -> Option<String> {
+    let share = crate::preferred::six_digits(case.packing_fraction?);
+    let solid = if share == "1" { " (solid)" } else { "" };
+    Some(format!(
+        "The strand's diameter follows from its linear density at a packing fraction of {share}{solid}; the fibres of a yarn \
+         leave room between them, the more the less it is twisted."
+    ))
 }
 
 /// The quantity a question finds besides the shape, by its column's name.
