@@ -196,6 +196,7 @@ pub enum Datum {
     LayRatio,
     PlyTurnsPerLength,
     RadiusRatio,
+    HelixRadius,
     CoreRadius,
     CoreDiameter,
     Force,
@@ -289,7 +290,7 @@ impl Key {
 
 /// Every key, table by table.
 #[rustfmt::skip] // a table: one row a line
-pub static KEYS: [Key; 45] = [
+pub static KEYS: [Key; 46] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
     key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
@@ -325,6 +326,7 @@ pub static KEYS: [Key; 45] = [
     key(Datum::LayRatio, Table::Lay, "lay_ratio", "lay-ratio", Kind::Number, "Lay length over the outer diameter of the ply").one_of(Group::Lay),
     key(Datum::PlyTurnsPerLength, Table::Lay, "turns_per_length", "ply-turns-per-length", Kind::TurnsPerLength, "Turns of the ply per ply length; right-handed positive").one_of(Group::Lay),
     key(Datum::RadiusRatio, Table::Lay, "radius_ratio", "radius-ratio", Kind::Number, "Helix radius of the strands over the strand radius, R/r").one_of(Group::Lay),
+    key(Datum::HelixRadius, Table::Lay, "helix_radius", "helix-radius", Kind::Length, "Radius R of the helix of the strands' centrelines; beside another lay, it gives the strand's size"),
     key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core that touching strands do lie on (this gives the shape), R = core radius + r").one_of(Group::Lay),
     key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core that touching strands do lie on (this gives the shape)").one_of(Group::Lay),
 

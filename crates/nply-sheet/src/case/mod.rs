@@ -2,6 +2,7 @@
 
 mod ends;
 mod fibre;
+mod helix;
 mod lay;
 mod measure;
 mod origin;

@@ -39,7 +39,7 @@ impl Origins {
             "core_radius" => in_group(Group::Support),
             "helical_angle" | "pitch_angle" | "lay_length" | "lay_ratio" | "radius_ratio" | "turns_per_length" => {
                 // the angle may be that of ends that are held
-                in_group(Group::Lay).or_else(|| in_group(Group::Ends))
+                in_group(Group::Lay).or_else(|| named(Datum::HelixRadius)).or_else(|| in_group(Group::Ends))
             }
             _ => None,
         };

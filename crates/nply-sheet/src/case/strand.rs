@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use nply::Scale;
 
 use super::measure::Measure;
-use super::{fibre, only_one};
+use super::{fibre, helix, only_one};
 use crate::key::Group;
 use crate::spec::{Entry, Spec};
 use crate::{Datum, ErrorKind, SpecError};
@@ -74,7 +74,9 @@ fn any_persistence(spec: &Spec) -> bool {
 
 /// r in m, if it is given.
 pub(super) fn radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
-    let Some(entry) = only_one(spec, Group::Size, "the size of the strand")? else { return fibre::radius(spec) };
+    let Some(entry) = only_one(spec, Group::Size, "the size of the strand")? else {
+        return fibre::radius(spec)?.map_or_else(|| helix::strand_radius(spec), |radius| Ok(Some(radius)));
+    };
     fibre::refuse_beside(spec, entry)?;
     if !entry.is_measured() {
         let message = format!(
