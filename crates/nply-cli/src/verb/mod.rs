@@ -5,6 +5,7 @@ mod lays;
 mod locus;
 mod map;
 mod solve;
+mod spin;
 mod support;
 mod trace;
 
@@ -27,8 +28,8 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 7] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB];
+static VERBS: [&Verb; 8] =
+    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &spin::VERB];
 
 const EXAMPLES: &str = "\
 Examples:

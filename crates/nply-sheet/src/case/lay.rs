@@ -7,7 +7,7 @@ use nply::Handedness;
 use super::measure::Measure;
 use super::{Lay, helix, only_one};
 use crate::key::Group;
-use crate::spec::{Entry, Value};
+use crate::spec::{Entry, Spec, Value};
 use crate::{Datum, ErrorKind, SpecError};
 
 /// A lay, the hand if one is given, and the datum that gave the lay.
@@ -16,6 +16,11 @@ pub(super) struct GivenLay<'s> {
     pub(super) lay: Lay,
     pub(super) hand: Option<Handedness>,
     pub(super) entry: &'s Entry,
+}
+
+/// Whether a lay is given at all.
+pub(super) fn is_given(spec: &Spec) -> bool {
+    spec.entries.iter().any(|entry| entry.key.group == Some(Group::Lay)) || spec.get(Datum::HelixRadius).is_some()
 }
 
 /// The lay, if one is given.

@@ -6,6 +6,7 @@ mod helix;
 mod lay;
 mod measure;
 mod origin;
+mod plying;
 mod question;
 mod relative;
 mod strand;
@@ -216,6 +217,11 @@ impl Case {
     /// Whether a datum was given, and not taken to be 0.
     pub(crate) fn gives(&self, datum: Datum) -> bool {
         self.origins.give(datum)
+    }
+
+    /// A refusal of what no ply let go can be, at a datum or at any of its group.
+    pub(crate) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
+        self.origins.refuse_domain(datum, why)
     }
 
     /// A refusal of what goes with no study, at the first datum of those wanted, whose words begin the message.

@@ -62,6 +62,16 @@ impl Origins {
         entry.error(ErrorKind::Domain, message)
     }
 
+    /// A refusal said at a datum, at another of its group, or at the head of the input.
+    pub(super) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
+        let group = crate::Key::of(datum).and_then(|key| key.group);
+        let of = |entry: &&Entry| entry.key.datum == datum || (group.is_some() && entry.key.group == group);
+        match self.entries.iter().find(of) {
+            Some(entry) => entry.error(ErrorKind::Domain, format!("{}: {why}", entry.said())),
+            None => SpecError::new(ErrorKind::Domain, self.head.clone(), why),
+        }
+    }
+
     /// Whether a datum was given, and not taken to be 0.
     pub(super) fn give(&self, datum: Datum) -> bool {
         self.entries.iter().any(|entry| entry.key.datum == datum)

@@ -221,6 +221,22 @@ impl Spec {
         Case::of(self, true)
     }
 
+    /// As [`Spec::check`], of a ply that is spun and let go: the twist of its singles, a wanted lay, or both.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`Spec::check`], where a load is given, or a lay whose hand is not.
+    ///
+    /// ```
+    /// use nply_sheet::{Question, Spec};
+    /// let flags = [("strands", "2"), ("stiffness-ratio", "1"), ("helical-angle", "20 deg"), ("hand", "S")];
+    /// let case = Spec::from_flags(flags)?.check_plying()?;
+    /// assert!(matches!(case.question, Question::PretwistAt { .. }));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_plying(&self) -> Result<Case, SpecError> {
+        Case::of_plying(self)
+    }
+
     /// The number of strands alone, 1 to a million.
     ///
     /// # Errors
