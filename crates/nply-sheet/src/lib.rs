@@ -28,7 +28,7 @@ mod study;
 pub mod table;
 mod unit;
 
-pub use case::{Case, Lay, Question, Shape};
+pub use case::{Case, Lay, Question, Shape, Stiffness, Strings};
 pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
@@ -36,7 +36,7 @@ pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
     AngleLine, COLUMNS, Column, Known, LaysReport, LocusReport, Measure, PlyingReport, Reading, Report, Section,
-    ShapeReport, SpecialPoint, TraceReport, Walk,
+    ShapeReport, SpecialPoint, StringsReport, TraceReport, Walk,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

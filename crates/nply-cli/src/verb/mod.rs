@@ -1,5 +1,6 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
+mod actuator;
 mod contact;
 mod lays;
 mod locus;
@@ -28,8 +29,17 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &spin::VERB];
+static VERBS: [&Verb; 9] = [
+    &solve::VERB,
+    &support::VERB,
+    &trace::VERB,
+    &map::VERB,
+    &locus::VERB,
+    &contact::VERB,
+    &lays::VERB,
+    &spin::VERB,
+    &actuator::VERB,
+];
 
 const EXAMPLES: &str = "\
 Examples:

@@ -10,6 +10,7 @@ mod plying;
 mod question;
 mod relative;
 mod strand;
+mod strings;
 mod support;
 mod twist;
 
@@ -23,6 +24,7 @@ use origin::Origins;
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
 pub(crate) use relative::any_thermal;
+pub use strings::{Stiffness, Strings};
 
 use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
 

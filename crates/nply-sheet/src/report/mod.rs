@@ -11,6 +11,7 @@ mod margin;
 mod measure;
 mod plying;
 mod shape;
+mod strings;
 mod support;
 mod text;
 mod trace;
@@ -25,6 +26,7 @@ pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
 pub use plying::PlyingReport;
 pub use shape::ShapeReport;
+pub use strings::StringsReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
 
@@ -85,12 +87,16 @@ impl Report {
 
 /// What is taken for granted where a titre gives the size.
 pub(super) fn packing(case: &Case) -> Option<String> {
-    let share = crate::preferred::six_digits(case.packing_fraction?);
+    case.packing_fraction.map(packing_of)
+}
+
+fn packing_of(share: f64) -> String {
+    let share = crate::preferred::six_digits(share);
     let solid = if share == "1" { " (solid)" } else { "" };
-    Some(format!(
+    format!(
         "The strand's diameter follows from its linear density at a packing fraction of {share}{solid}; the fibres of a yarn \
          leave room between them, the more the less it is twisted."
-    ))
+    )
 }
 
 /// The quantity a question finds besides the shape, by its column's name.

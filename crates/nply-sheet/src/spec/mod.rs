@@ -237,6 +237,21 @@ impl Spec {
         Case::of_plying(self)
     }
 
+    /// Strings that a motor twists together: number, size, length, pull, and turns if not all that go in are meant.
+    ///
+    /// # Errors
+    /// [`SpecError`] where one of these is missing, more turns are asked for than go in, or what such strings have not is given.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// let flags = [("strands", "2"), ("diameter", "1 mm"), ("strand-length", "0.5 m"), ("force", "20 N")];
+    /// assert_eq!(Spec::from_flags(flags)?.check_strings()?.rotation, None);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_strings(&self) -> Result<crate::Strings, SpecError> {
+        crate::Strings::of(self)
+    }
+
     /// The number of strands alone, 1 to a million.
     ///
     /// # Errors
