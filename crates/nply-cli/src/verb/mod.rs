@@ -2,6 +2,7 @@
 
 mod actuator;
 mod contact;
+mod fit_check;
 mod lays;
 mod locus;
 mod map;
@@ -29,7 +30,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 9] = [
+static VERBS: [&Verb; 10] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -39,6 +40,7 @@ static VERBS: [&Verb; 9] = [
     &lays::VERB,
     &spin::VERB,
     &actuator::VERB,
+    &fit_check::VERB,
 ];
 
 const EXAMPLES: &str = "\

@@ -21,6 +21,10 @@ pub(super) fn radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
         );
         return Err(spec.missing(Datum::Density, message));
     };
+    if !density.is_measured() {
+        let message = format!("{} has no unit: what is wanted is {}", density.said(), density.key.kind.wanted());
+        return Err(density.error(ErrorKind::WrongUnit, message));
+    }
     let area = titre.positive(titre.number())? / (density.positive(density.number())? * packing(spec)?);
     titre.positive(libm::sqrt(area / PI)).map(Some)
 }
