@@ -50,6 +50,7 @@ Examples:
   nply solve --strands 3 --stiffness-ratio 0.75 --pretwist -1
   nply support rope.toml --support-core-diameter \"4 mm\" --ply-length \"0.9 m\" --strand-length \"1 m\"
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
+  nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
 

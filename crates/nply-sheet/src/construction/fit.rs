@@ -18,7 +18,7 @@ use crate::{Datum, Dimension, ErrorKind, PreferredUnits, SpecError, Table};
 /// let flags = [("strands", "6"), ("wire-diameter", "3.73 mm"), ("lay-length", "115 mm"), ("gap", "0.05 mm")];
 /// let fit = ConstructionSpec::from_flags(flags)?.check_fit()?;
 /// assert!((fit.strand.layers()[0].gap() - 5e-5).abs() < 1e-16);
-/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.9548e-3).abs() < 5e-8);
+/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.95526e-3).abs() < 5e-9);
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
