@@ -21,6 +21,7 @@ mod key;
 pub mod map;
 pub mod plot;
 mod preferred;
+mod preset;
 mod quantity;
 mod report;
 mod solve;
@@ -34,6 +35,7 @@ pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
+pub use preset::{PRESETS, Preset, list_presets};
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
     AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, PlyingReport, Reading, Report,

@@ -6,6 +6,7 @@ mod fit_check;
 mod lays;
 mod locus;
 mod map;
+mod preset;
 mod solve;
 mod spin;
 mod support;
@@ -30,7 +31,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 10] = [
+static VERBS: [&Verb; 11] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -40,6 +41,7 @@ static VERBS: [&Verb; 10] = [
     &lays::VERB,
     &spin::VERB,
     &actuator::VERB,
+    &preset::VERB,
     &fit_check::VERB,
 ];
 
