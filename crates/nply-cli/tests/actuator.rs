@@ -42,7 +42,7 @@ fn two_strings_obey_the_published_formula_up_to_45_degrees() {
 fn the_stroke_ends_before_the_formula_says() {
     let report = actuator("2", &[]);
     let end = steps(&report).last().unwrap();
-    near(number(end, "helical_angle_deg"), 50.6229, 1e-6);
+    near(number(end, "helical_angle_deg"), 50.6229, 3e-5);
     assert!(end["torque"].is_null() && end["stroke_per_turn"].is_null() && end["string_tension"].is_null());
     near(number(&report["most_turns"], "motor_turns"), number(end, "motor_turns"), 1e-15);
     let formula = &report["constant_radius_most_turns"];
@@ -62,26 +62,31 @@ fn the_stroke_ends_before_the_formula_says() {
 fn the_work_of_the_motor_is_kept() {
     let stiff = ["--bending-stiffness", "2 N mm^2", "--stiffness-ratio", "0.75"];
     for strands in ["2", "3", "5"] {
-        let more = [&["--motor-turns", "30 S", "--steps", "2000"], &stiff[..]].concat();
+        let more = [&["--motor-turns", "30 S", "--steps", "400"], &stiff[..]].concat();
         let report = actuator(strands, &more);
+        let swivelling = actuator(strands, &[&more[..], &["--strand-twist", "0"]].concat());
         assert_eq!(report["lay"], "S");
-        let work = |torque: &str| {
+        let work_in = |report: &Value, torque: &str| {
             let pair = |pair: &[Value]| {
                 let turned = TAU * (number(&pair[1], "motor_turns") - number(&pair[0], "motor_turns"));
                 0.5 * turned * (number(&pair[0], torque) + number(&pair[1], torque))
             };
-            steps(&report).windows(2).map(pair).sum::<f64>()
+            steps(report).windows(2).map(pair).sum::<f64>()
         };
+        let work = |torque| work_in(&report, torque);
         let end = steps(&report).last().unwrap();
         let lifted = 20.0 * number(end, "stroke");
-        near(work("torque"), lifted, 1e-6);
+        near(work("torque"), lifted, 3e-5);
         // B/2 κ² + C/2 τ² per length, of a helix of angle θ and radius R from the turns: sin θ = R Y
         let theta = number(end, "helical_angle_deg").to_radians();
         let rate = TAU * 30.0 / 0.5; // sin θ/R
         let (curvature, twist) = (rate * theta.sin(), rate * theta.cos());
         let n: f64 = strands.parse().unwrap();
         let stored = n * 0.5 * 0.5 * 2e-6 * (curvature * curvature + 0.75 * twist * twist);
-        near(work("stiff_torque"), lifted + stored, 1e-6);
+        near(work("stiff_torque"), lifted + stored, 3e-5);
+        // with swivels the strings are bent and no more
+        let bent = n * 0.5 * 0.5 * 2e-6 * curvature * curvature;
+        near(work_in(&swivelling, "stiff_torque"), lifted + bent, 3e-5);
     }
 }
 

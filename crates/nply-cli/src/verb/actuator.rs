@@ -13,7 +13,8 @@ const LONG: &str = "\
 For twisted string actuators. Strings of a given number, diameter and length (--strand-length) start parallel and touching, and a
 motor twists them under a load (--force): stroke, stroke per motor turn, motor torque and tension of the strings against motor
 turns, up to --motor-turns or to the most that go in; beside it the formula of a constant radius. Strings are limp unless their
-bending and twisting stiffness are given.";
+bending and twisting stiffness are given; then their ends are clamped in the motor (--turns-per-length, 0 if absent), or swivel
+(--strand-twist 0).";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -35,8 +36,7 @@ pub(super) const VERB: Verb = Verb {
 fn arguments(command: Command) -> Command {
     let wanted = |key: &Key| match key.table {
         Table::Ply => ["title", "strands"].contains(&key.name),
-        Table::Strand => true,
-        Table::Twist => key.name != "strand_twist",
+        Table::Strand | Table::Twist => true,
         Table::Load => key.name == "force",
         Table::Ends => !key.name.starts_with("length"),
         _ => false,

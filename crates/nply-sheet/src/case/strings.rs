@@ -1,6 +1,6 @@
 //! Strings that a motor twists together under a load: what `nply actuator` needs.
 
-use nply::mechanics::TwistedStrings;
+use nply::mechanics::{Twist, TwistedStrings};
 use nply::{Handedness, Scale};
 
 use super::ends::as_written;
@@ -54,8 +54,8 @@ pub struct Stiffness {
     pub stiffness_ratio: f64,
     /// r and B.
     pub scale: Scale,
-    /// φ̄a.
-    pub pretwist: f64,
+    /// What their ends do: clamped in the motor with this pretwist (0 if none is given), or swivelling, with this strand twist kept.
+    pub twist: Twist,
 }
 
 impl Strings {
@@ -94,11 +94,8 @@ impl Strings {
                     );
                     return Err(spec.missing(Datum::BendingStiffness, message));
                 };
-                let pretwist = match twist {
-                    Some(nply::mechanics::Twist::Pretwist(value)) => value,
-                    _ => 0.0,
-                };
-                Some(Stiffness { stiffness_ratio: strand.stiffness_ratio, scale, pretwist })
+                let twist = twist.unwrap_or(Twist::Pretwist(0.0));
+                Some(Stiffness { stiffness_ratio: strand.stiffness_ratio, scale, twist })
             }
             None => match spec.first_of(Table::Twist) {
                 Some(entry) => {
@@ -155,7 +152,6 @@ fn refuse_others(spec: &Spec) -> Result<(), SpecError> {
                     | Datum::Moment
                     | Datum::ExternalPressure
                     | Datum::Separation
-                    | Datum::StrandTwist
                     | Datum::PlyLength
                     | Datum::LengthRatio
             )

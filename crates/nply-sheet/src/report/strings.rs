@@ -197,8 +197,9 @@ impl StringsReport {
                 None => "Limp strings: no stiffness against bending and twisting, no stretch, no friction. Torque is force times \
                          stroke per angle."
                     .to_owned(),
-                Some(_) => "The torque of stiff strings (with bending and twisting, their ends clamped in the motor) is for motor and \
-                            load alone: no stretch, no friction. Angle and stroke are those of the limp ones, as contact leaves no other."
+                Some(_) => "The torque of stiff strings (bent, and twisted unless their ends swivel) is for motor and \
+                            load alone: no stretch, no friction. Angle and stroke are those of limp strings, as contact leaves no other; the \
+                            tension is theirs too."
                     .to_owned(),
             },
         ];
@@ -283,11 +284,11 @@ fn stiff(strings: &Strings, limp: &TwistedStrings) -> Result<Option<Stiff>, Doma
     }
     if limp.rotation() == 0.0 {
         // straight strings hold the twist they came with
-        let moment = f64::from(strings.strands) * stiffness.stiffness_ratio * stiffness.pretwist;
+        let (Twist::Pretwist(held) | Twist::StrandTwist(held)) = stiffness.twist;
+        let moment = f64::from(strings.strands) * stiffness.stiffness_ratio * held;
         return Ok(Some(Stiff { moment: sign * moment * unit, separated: false }));
     }
     let ply = Ply::new(strings.strands, stiffness.stiffness_ratio)?;
-    let twist = Twist::Pretwist(stiffness.pretwist);
-    let state = ply.moment_at(limp.contact().angle(), strings.handedness, twist, strings.force / unit)?;
+    let state = ply.moment_at(limp.contact().angle(), strings.handedness, stiffness.twist, strings.force / unit)?;
     Ok(Some(Stiff { moment: sign * state.load().moment * unit, separated: state.is_separated() }))
 }
