@@ -42,7 +42,7 @@ fn two_strings_obey_the_published_formula_up_to_45_degrees() {
 fn the_stroke_ends_before_the_formula_says() {
     let report = actuator("2", &[]);
     let end = steps(&report).last().unwrap();
-    near(number(end, "helical_angle_deg"), 50.6229, 3e-5);
+    near(number(end, "helical_angle_deg"), 50.6229, 1e-6);
     assert!(end["torque"].is_null() && end["stroke_per_turn"].is_null() && end["string_tension"].is_null());
     near(number(&report["most_turns"], "motor_turns"), number(end, "motor_turns"), 1e-15);
     let formula = &report["constant_radius_most_turns"];

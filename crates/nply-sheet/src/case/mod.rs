@@ -252,6 +252,8 @@ pub struct Shape {
     pub hand: Option<Handedness>,
     /// r in m, where it is given.
     pub strand_radius: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -285,7 +287,8 @@ impl Shape {
             }
         };
         let units = PreferredUnits::of(spec);
-        Ok(Self { strands, lay, hand, strand_radius: radius, units, origins: Origins::of(spec) })
+        let packing_fraction = fibre::given_packing(spec)?;
+        Ok(Self { strands, lay, hand, strand_radius: radius, packing_fraction, units, origins: Origins::of(spec) })
     }
 
     /// As [`Case::locate`].

@@ -121,6 +121,9 @@ impl ShapeReport {
             rows.push(Row { label: "cut across the ply".to_owned(), unit: String::new(), cells });
         }
         lay_out(&mut out, &[("", rows)], &emphasis);
+        if let Some(share) = self.shape.packing_fraction {
+            let _ = writeln!(out, "\n{}", super::packing_of(share));
+        }
         if !self.branches.is_empty() {
             let _ = writeln!(out, "\n{}", emphasis.heading("Solutions of the contact condition, nearest first"));
             for branch in &self.branches {
@@ -145,6 +148,9 @@ impl ShapeReport {
         top.insert("strands".into(), json!(self.shape.strands));
         if let Some(radius) = self.shape.strand_radius {
             top.insert("strand_radius_m".into(), json!(radius));
+        }
+        if let Some(share) = self.shape.packing_fraction {
+            top.insert("packing_fraction".into(), json!(share));
         }
         let (mut si, mut units) = (Map::new(), Map::new());
         for (name, _, measure, value) in self.items() {
