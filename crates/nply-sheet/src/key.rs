@@ -244,7 +244,13 @@ pub enum Datum {
     LayerMaterial,
     LayerYoungsModulus,
     LayerPoissonsRatio,
-    LayerPreformed,
+    LayerPreforming,
+    LayerPretwist,
+    CableForce,
+    CableMoment,
+    CableTurning,
+    CableTorqueFactor,
+    CableBalancedLayer,
 }
 
 /// One key: where it stands in the file, its flag, what it means.
@@ -313,7 +319,12 @@ impl Key {
         matches!(self.table, Table::Twist)
             || matches!(
                 self.datum,
-                Datum::PlyTurnsPerLength | Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength
+                Datum::PlyTurnsPerLength
+                    | Datum::PlyRotation
+                    | Datum::PlyTurns
+                    | Datum::PlyTurnsPerStrandLength
+                    | Datum::LayerPretwist
+                    | Datum::CableTurning
             )
     }
 

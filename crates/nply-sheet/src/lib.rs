@@ -30,7 +30,7 @@ mod study;
 pub mod table;
 mod unit;
 
-pub use case::{Case, Lay, Question, Shape, Stiffness, Strings};
+pub use case::{Case, Lay, Question, Shape, StringStiffness, Strings};
 pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
@@ -39,7 +39,7 @@ pub use preset::{PRESETS, Preset, list_presets};
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
     AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, PlyingReport, Reading, Report,
-    Section, ShapeReport, SpecialPoint, StringsReport, TraceReport, Walk,
+    Section, ShapeReport, SpecialPoint, StiffnessReport, StringsReport, TraceReport, Walk,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

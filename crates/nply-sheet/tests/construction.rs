@@ -22,7 +22,7 @@ wire_diameter = "3.9 mm"
 lay_length = "150 mm"
 hand = "left"
 density = "7.8 g/cm^3"
-preformed = true
+preforming = 1
 
 [[layer]]
 wires = 12
@@ -32,7 +32,7 @@ hand = "right"
 material = "Aluminum"
 youngs_modulus = "70 GPa"
 poissons_ratio = 0.33
-preformed = false
+preforming = 0
 "#;
 
 fn check(text: &str) -> Result<Construction, SpecError> {
@@ -49,10 +49,10 @@ fn a_strand_is_understood() {
     assert!(close(core.diameter, 4e-3) && core.density.is_some_and(|density| close(density, 7780.0)));
     assert_eq!((core.youngs_modulus, core.poissons_ratio), (Some(190e9), Some(0.3)));
     let [inner, outer] = strand.layers.as_slice() else { panic!("two layers") };
-    assert_eq!((inner.wires, inner.hand, inner.preformed), (6, Handedness::Left, Some(true)));
+    assert_eq!((inner.wires, inner.hand, inner.preforming), (6, Handedness::Left, 1.0));
     assert!(matches!(inner.lay, WireLay::Length(length) if close(length, 0.15)));
     assert!(inner.density.is_some_and(|density| close(density, 7800.0)) && inner.youngs_modulus.is_none());
-    assert_eq!((outer.wires, outer.hand, outer.preformed), (12, Handedness::Right, Some(false)));
+    assert_eq!((outer.wires, outer.hand, outer.preforming), (12, Handedness::Right, 0.0));
     assert_eq!((outer.lay, outer.youngs_modulus), (WireLay::Ratio(12.0), Some(70e9)));
     assert!(close(outer.wire_diameter, 3.9e-3) && outer.density.is_some_and(|density| close(density, 2703.0)));
 }

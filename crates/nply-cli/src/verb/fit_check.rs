@@ -1,7 +1,7 @@
 //! `nply fit-check`: do wires fit beside each other on their core?
 
 use clap::{ArgMatches, Command};
-use nply_sheet::FitReport;
+use nply_sheet::{FitReport, Key, Table};
 
 use super::Verb;
 use crate::arguments::{format, json, with_construction_keys};
@@ -35,7 +35,14 @@ pub(super) const VERB: Verb = Verb {
 };
 
 fn arguments(command: Command) -> Command {
-    with_construction_keys(command).arg(format()).arg(json())
+    with_construction_keys(command, wanted).arg(format()).arg(json())
+}
+
+/// Sizes, lays and densities.
+fn wanted(key: &Key) -> bool {
+    let of_carrying =
+        ["torque_factor", "balanced_layer", "youngs_modulus", "poissons_ratio", "preforming", "pretwist_per_length"];
+    key.table != Table::Load && !of_carrying.contains(&key.name)
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {

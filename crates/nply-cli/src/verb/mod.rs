@@ -9,6 +9,7 @@ mod map;
 mod preset;
 mod solve;
 mod spin;
+mod stiffness;
 mod support;
 mod trace;
 
@@ -31,7 +32,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 11] = [
+static VERBS: [&Verb; 12] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -43,6 +44,7 @@ static VERBS: [&Verb; 11] = [
     &actuator::VERB,
     &preset::VERB,
     &fit_check::VERB,
+    &stiffness::VERB,
 ];
 
 const EXAMPLES: &str = "\

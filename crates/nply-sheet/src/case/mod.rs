@@ -24,7 +24,7 @@ use origin::Origins;
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
 pub(crate) use relative::any_thermal;
-pub use strings::{Stiffness, Strings};
+pub use strings::{StringStiffness, Strings};
 
 use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
 

@@ -38,7 +38,7 @@ pub struct Strings {
     /// How far: rad per string length, times r, from 0 up to the most turns; `None` for as far as it goes.
     pub rotation: Option<f64>,
     /// γ, r and B, and the twist put into each string before they are wound; `None` for limp strings.
-    pub stiffness: Option<Stiffness>,
+    pub stiffness: Option<StringStiffness>,
     /// Share of a string's cross-section that is fibre, where its titre gives its size.
     pub packing_fraction: Option<f64>,
     /// The units the input was written in.
@@ -49,7 +49,7 @@ pub struct Strings {
 /// What strings that are not limp resist with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Stiffness {
+pub struct StringStiffness {
     /// γ = C/B.
     pub stiffness_ratio: f64,
     /// r and B.
@@ -95,7 +95,7 @@ impl Strings {
                     return Err(spec.missing(Datum::BendingStiffness, message));
                 };
                 let twist = twist.unwrap_or(Twist::Pretwist(0.0));
-                Some(Stiffness { stiffness_ratio: strand.stiffness_ratio, scale, twist })
+                Some(StringStiffness { stiffness_ratio: strand.stiffness_ratio, scale, twist })
             }
             None => match spec.first_of(Table::Twist) {
                 Some(entry) => {

@@ -4,7 +4,7 @@ use nply::DomainError;
 use nply::geometry::{WireLay, WireLayer, WireStrand};
 
 use super::check::{Given, GivenLayer, Stuff};
-use super::{ConstructionSpec, Core};
+use super::{Construction, ConstructionSpec, Core};
 use crate::key::Group;
 use crate::preferred::six_digits;
 use crate::spec::Entry;
@@ -37,6 +37,7 @@ pub struct Fit {
     /// The units the input was written in.
     pub units: PreferredUnits,
     pub(crate) core: Stuff,
+    core_strand: Option<Construction>,
     pub(crate) layers: Vec<GivenLayer>,
 }
 
@@ -80,8 +81,8 @@ impl ConstructionSpec {
             below = Some(drawn.lay_radius() + radius);
             nominal.push(drawn);
         }
-        let Given { title, measured, units, core, layers, .. } = given;
-        Ok(Fit { title, strand, nominal, found, measured, units, core, layers })
+        let Given { title, measured, units, core, core_strand, layers, .. } = given;
+        Ok(Fit { title, strand, nominal, found, measured, units, core, core_strand, layers })
     }
 }
 
@@ -91,7 +92,8 @@ impl Fit {
     pub fn core(&self) -> Option<Core> {
         let diameter = self.strand.core_radius().map(|radius| 2.0 * radius).filter(|diameter| *diameter > 0.0)?;
         let Stuff { density, youngs_modulus, poissons_ratio } = self.core;
-        Some(Core { diameter, density, youngs_modulus, poissons_ratio })
+        let strand = self.core_strand.clone().map(Box::new);
+        Some(Core { diameter, density, youngs_modulus, poissons_ratio, strand })
     }
 }
 
@@ -145,7 +147,7 @@ fn sizes(
     found: &mut Vec<&'static str>,
 ) -> Result<(Option<f64>, Given), SpecError> {
     let several = given.layers.len() > 1;
-    let first = given.layers.first().copied();
+    let first = given.layers.first().cloned();
     let Some(first) = first else { return Err(spec.ask(0, Datum::LayerWires)) };
     let outer = given.outer_diameter;
     if let (Some(_), Some(entry)) = (outer, spec.head(Datum::StrandOuterDiameter)) {
@@ -218,26 +220,10 @@ fn sizes(
 /// The core that leaves the gap that is wanted, or none.
 fn king_wire(spec: &ConstructionSpec, layer: &GivenLayer, wire_diameter: f64) -> Result<f64, SpecError> {
     let lay = layer.lay.ok_or_else(|| spec.ask(0, Datum::LayerLayLength))?;
-    let gap = layer.gap.unwrap_or(0.0);
-    if let (WireLay::Ratio(_), true) = (lay, gap > 0.0) {
-        let entry = spec
-            .layers
-            .first()
-            .and_then(|part| part.entries.iter().find(|entry| entry.key.group == Some(Group::LayerLay)));
-        if let Some(entry) = entry {
-            let message = format!(
-                "{} counts the outer diameter, which is not known before the core is found: give the lay length or the outer diameter",
-                entry.said()
-            );
-            return Err(entry.error(ErrorKind::Contradiction, message));
-        }
-    }
-    let located = |error: DomainError| spec.locate(0, &error);
-    // wires thicker by the gap that touch lie as these do; an angle is theirs too
-    let thick = WireLayer::without_core(layer.wires, 0.5 * (wire_diameter + gap), lay).map_err(located)?;
-    let core = 2.0 * thick.king_wire_radius() + gap;
-    if core > 0.0 {
-        return Ok(core);
+    let (radius, gap) = (0.5 * wire_diameter, layer.gap.unwrap_or(0.0));
+    let cored = WireLayer::on_king_wire(layer.wires, radius, gap, lay).map_err(|error| spec.locate(0, &error))?;
+    if cored.core_radius() > 0.0 {
+        return Ok(2.0 * cored.core_radius());
     }
     let message = "two wires in line contact leave no room for a core between them: give a gap, or no core";
     Err(spec.missing(Some(0), Datum::LayerGap, message))

@@ -1,4 +1,5 @@
-//! Section 2 of the paper: helices that touch, the curve along which they touch, the cut across the ply.
+//! Section 2 of the paper: helices that touch, the curve along which they touch, the cut across the ply; and wires laid on a core, layer on
+//! layer.
 
 mod angle;
 mod branch;
@@ -13,6 +14,7 @@ mod section;
 mod special_lay;
 mod wire_lay;
 mod wire_layer;
+mod wire_strand;
 
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branches};
@@ -25,4 +27,5 @@ pub use flat_section::FitFormula;
 pub use section::Section;
 pub use special_lay::{SpecialLays, packing_fraction};
 pub use wire_lay::WireLay;
-pub use wire_layer::{LayerContact, WireLayer, WireStrand};
+pub use wire_layer::{LayerContact, WireLayer};
+pub use wire_strand::WireStrand;

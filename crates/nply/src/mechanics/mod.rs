@@ -3,13 +3,16 @@
 mod atlas;
 mod balance;
 mod buckling;
+mod cable;
 mod displacement;
 mod ends;
 mod energy;
 mod equilibrium;
+mod extensible;
 mod flexibility;
 mod fold;
 mod ledger;
+mod line_contact;
 mod load;
 mod locus;
 mod margin;
@@ -29,9 +32,14 @@ mod twisted_strings;
 
 pub use balance::Balance;
 pub use buckling::BendingBounds;
+pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;
+pub use extensible::{
+    Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchEnergy, StretchFlexibility,
+    StretchStiffness, StretchingStrand, Turning, WireStress, WorkingCore,
+};
 pub use ledger::Link;
 pub use load::Load;
 pub use locus::Locus;

@@ -4,7 +4,9 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod cable;
 mod equilibrium;
+mod extensible;
 mod geometry;
 mod holding;
 mod refusal;

@@ -98,11 +98,17 @@ proptest! {
 
     /// The lay found for a gap has that gap, and the wires found for an outer diameter have both.
     #[test]
-    fn inverses(n in 2..=14_u32, r in 0.1..10.0_f64, gap in 0.0..0.3_f64, wide in 1.001..2.0_f64, log_lay in 0.3..4.0_f64, which in 0..3) {
+    fn inverses(n in 2..=14_u32, r in 0.1..10.0_f64, gap in 0.0..0.3_f64, wide in 1.001..2.0_f64, log_lay in 0.3..4.0_f64, which in 0..3_usize) {
         let core = wide * (r + 0.5 * gap) / (PI / f64::from(n)).sin() - r;
         let layer = WireLayer::with_gap(n, r, core, gap).unwrap();
         prop_assert!((layer.gap() - gap).abs() < 1e-12 * layer.lay_radius(), "{layer:?}");
         prop_assert_eq!(layer.core_radius(), core);
+
+        // the core for a gap, by any lay
+        let lay = [WireLay::Length(2.0 * f64::from(n) * (r + gap) * log_lay.exp()), WireLay::Ratio(log_lay.exp()), WireLay::Angle(0.3 * log_lay)][which];
+        let layer = WireLayer::on_king_wire(n, r, gap, lay).unwrap();
+        prop_assert!((layer.gap() - gap).abs() < 1e-12 * layer.lay_radius(), "{layer:?}");
+        prop_assert!((lay.length(layer.lay_radius(), r).unwrap() / layer.lay_length() - 1.0).abs() < 1e-12);
 
         let outer = f64::from(n) * 0.1 * r + gap;
         let lay = match which {

@@ -46,7 +46,7 @@ impl FitReport {
 
     fn of_layers(&self) -> Vec<OfLayer> {
         let layers = self.fit.strand.layers().iter().zip(&self.fit.layers);
-        layers.map(|(laid, given)| OfLayer { laid: *laid, given: *given }).collect()
+        layers.map(|(laid, given)| OfLayer { laid: *laid, given: given.clone() }).collect()
     }
 
     /// The unit in which a reader, or a script, finds lengths: the first that was written; none where nothing has a unit.
