@@ -84,6 +84,7 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
         Kind::Pressure | Kind::Modulus => "PRESSURE",
+        Kind::LinearDensity => "LINEAR DENSITY",
         Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",

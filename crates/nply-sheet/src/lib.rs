@@ -21,6 +21,7 @@ mod key;
 pub mod map;
 pub mod plot;
 mod preferred;
+mod preset;
 mod quantity;
 mod report;
 mod solve;
@@ -29,15 +30,16 @@ mod study;
 pub mod table;
 mod unit;
 
-pub use case::{Case, Lay, Question, Shape};
+pub use case::{Case, Lay, Question, Shape, StringStiffness, Strings};
 pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
+pub use preset::{PRESETS, Preset, list_presets};
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
-    AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, Reading, Report, Section,
-    ShapeReport, SpecialPoint, StiffnessReport, TraceReport, Walk,
+    AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, PlyingReport, Reading, Report,
+    Section, ShapeReport, SpecialPoint, StiffnessReport, StringsReport, TraceReport, Walk,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

@@ -130,7 +130,7 @@ fn a_mistake_is_said_in_a_sentence_at_its_place() {
 #[test]
 fn each_key_stands_once_in_the_list() {
     for (at, key) in CONSTRUCTION_KEYS.iter().enumerate() {
-        assert!(matches!(key.table, Table::Construction | Table::Core | Table::Layer));
+        assert!(matches!(key.table, Table::Construction | Table::Core | Table::Layer | Table::Load));
         for other in &CONSTRUCTION_KEYS[at + 1..] {
             assert_ne!(key.datum, other.datum);
             assert_ne!(key.flag, other.flag);

@@ -1,11 +1,14 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
+mod actuator;
 mod contact;
 mod fit_check;
 mod lays;
 mod locus;
 mod map;
+mod preset;
 mod solve;
+mod spin;
 mod stiffness;
 mod support;
 mod trace;
@@ -29,7 +32,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 9] = [
+static VERBS: [&Verb; 12] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -37,6 +40,9 @@ static VERBS: [&Verb; 9] = [
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
+    &spin::VERB,
+    &actuator::VERB,
+    &preset::VERB,
     &fit_check::VERB,
     &stiffness::VERB,
 ];
