@@ -111,3 +111,10 @@ fn the_conductor_weighs_what_is_published() {
 fn the_tested_strand_touches_below_17_degrees() {
     assert!(number(&answer("strand-utting-jones"), "wire_gap_m") < 0.0);
 }
+
+/// API Spec 9A, table C.1: 34.5 kg/100 m, lubricant and a diameter of up to 5 % more included, which the sizes here leave out.
+#[test]
+fn the_rope_weighs_a_little_less_than_is_published() {
+    let mass = number(&json(&["fit-check", "crates/nply-sheet/presets/rope-6x7.toml"]), "mass_per_length_kg_per_m");
+    assert!(mass < 0.345 && mass > 0.345 / (1.05 * 1.05), "{mass}");
+}

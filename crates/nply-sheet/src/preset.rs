@@ -33,6 +33,7 @@ presets![
     "prestressing-strand-3-wire",
     "strand-utting-jones",
     "conductor-cardinal",
+    "rope-6x7",
     "zero-twist-rope",
     "tyre-cord-840d-2",
     "tyre-cord-1260d-2",

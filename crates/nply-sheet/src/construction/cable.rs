@@ -213,6 +213,18 @@ impl Construction {
         Ok(strand)
     }
 
+    /// How much of the outline's area is wire, sections counted square to each.
+    pub(crate) fn solid_share(&self) -> f64 {
+        let Ok(laid) = self.laid() else { return f64::NAN };
+        let share = |strand: Option<&Self>| strand.map_or(1.0, Self::solid_share);
+        let core =
+            self.core.as_ref().map_or(0.0, |core| 0.25 * core.diameter * core.diameter * share(core.strand.as_deref()));
+        let wires = self.layers.iter().map(|layer| {
+            0.25 * f64::from(layer.wires) * layer.wire_diameter * layer.wire_diameter * share(layer.strand.as_deref())
+        });
+        wires.fold(core, |sum, squares| sum + squares) / (laid.outer_radius() * laid.outer_radius())
+    }
+
     /// Mass per length over the area of the outline; `None` where a density is missing.
     pub(super) fn mean_density(&self) -> Option<f64> {
         let laid = self.laid().ok()?;
