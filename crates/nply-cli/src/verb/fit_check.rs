@@ -38,11 +38,9 @@ fn arguments(command: Command) -> Command {
     with_construction_keys(command, wanted).arg(format()).arg(json())
 }
 
-/// Sizes, lays and densities.
+/// All but loads and what is found from them.
 fn wanted(key: &Key) -> bool {
-    let of_carrying =
-        ["torque_factor", "balanced_layer", "youngs_modulus", "poissons_ratio", "preforming", "pretwist_per_length"];
-    key.table != Table::Load && !of_carrying.contains(&key.name)
+    key.table != Table::Load && !["torque_factor", "balanced_layer"].contains(&key.name)
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
