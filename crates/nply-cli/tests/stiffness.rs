@@ -1,5 +1,11 @@
 //! `nply stiffness`: examples run, and what they say is physics.
-#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "helpers of tests")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::disallowed_methods,
+    reason = "helpers of tests"
+)]
 
 #[path = "command/mod.rs"]
 mod command;
