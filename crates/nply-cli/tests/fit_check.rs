@@ -121,7 +121,7 @@ fn what_is_missing_is_found() {
     assert_eq!((&touching["contact"], number(&touching, "core_diameter")), (&"neighbours".into(), 0.0));
     near(number(&touching, "wire_diameter"), 4.209_617_514_418, 1e-12);
     // anything that is said of a core asks for one
-    let cored = within(&["--core-poissons-ratio", "0.3"]);
+    let cored = within(&["--core-density", "1"]);
     assert_eq!(cored["contact"], "both");
     near(number(&cored, "core_diameter"), 4.280_764_971_164, 1e-12);
     near(number(&cored, "metal_area"), 98.834_525_998_142, 1e-12);
@@ -264,7 +264,6 @@ fn what_does_not_fit_the_question_is_refused() {
         (&[("--outer-diameter", "15")], 2, "too much"),
         (&[("--outer-diameter", "10"), ("--core-diameter", "")], 1, "leaves no room"),
         (&[("--outer-diameter", "5"), ("--wire-diameter", "")], 1, "leaves no room"),
-        (&[("--wire-poissons-ratio", "0.6")], 1, "at most 0.5"),
         (&[("--wire-diametr", "5")], 2, "unexpected argument"),
         (&[("--core-diameter", "1e200")], 1, "at most 1e100"),
     ] {
