@@ -12,6 +12,7 @@ mod refusal;
 mod section;
 mod separation;
 mod stability;
+mod stretch_path;
 mod support;
 
 use nply::Handedness;

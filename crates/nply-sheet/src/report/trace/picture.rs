@@ -209,6 +209,7 @@ const fn shape(mark: Mark) -> (MarkerShape, usize) {
         Mark::Diagonal => (MarkerShape::Diamond, 2),
         Mark::MostTurns => (MarkerShape::Triangle, 4),
         Mark::CurvatureLimit => (MarkerShape::Plus, 5),
+        Mark::StrainLimit => (MarkerShape::Plus, 2),
         Mark::Straight => (MarkerShape::Square, 6),
         Mark::Buckling => (MarkerShape::Circle, 3),
     }

@@ -66,6 +66,7 @@ const fn word(event: &Event) -> &'static str {
         Mark::Diagonal => "45°",
         Mark::MostTurns => "most turns",
         Mark::CurvatureLimit => "curvature limit",
+        Mark::StrainLimit => "strain limit",
         Mark::Straight => "straight",
         Mark::Buckling => "buckles",
     }
@@ -78,6 +79,7 @@ pub(super) const fn ended(end: End) -> &'static str {
         End::FlatRings => "flat rings",
         End::Apart => "apart",
         End::UnboundedLoad => "no end of load",
+        End::Overstretched => "overstretched",
         End::Stalled => "stops",
     }
 }
@@ -92,6 +94,9 @@ pub(super) const fn why(end: End) -> &'static str {
         End::Apart => "the strands lose each other and open without bound",
         End::UnboundedLoad => {
             "the load that holds the displacement grows without bound, as no more turns or no shorter ply can be had"
+        }
+        End::Overstretched => {
+            "strands come to be stretched to less than half or more than double their length, where linear elasticity means nothing"
         }
         End::Stalled => "the branch could not be followed further",
     }
