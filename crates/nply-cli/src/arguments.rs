@@ -2,6 +2,7 @@
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
+use nply_sheet::construction::CONSTRUCTION_KEYS;
 use nply_sheet::{KEYS, Key, Kind, Table};
 
 pub(crate) fn plot() -> Arg {
@@ -46,6 +47,19 @@ pub(crate) fn with_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Comm
     })
 }
 
+/// FILE and one flag a key of a layered strand; those of a layer may be repeated.
+pub(crate) fn with_construction_keys(command: Command) -> Command {
+    let file = Arg::new("file").value_name("FILE").help("A TOML file with the strand; `-` reads standard input");
+    CONSTRUCTION_KEYS.iter().fold(command.arg(file), |command, key| {
+        let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
+        let flag = if key.table == Table::Layer { flag.action(ArgAction::Append) } else { flag };
+        command.arg(match key.kind {
+            Kind::Switch => flag.num_args(0..=1).default_missing_value("true").value_name("true|false"),
+            _ => flag.allow_hyphen_values(true).value_name(value_name(key.kind)),
+        })
+    })
+}
+
 const fn heading(table: Table) -> &'static str {
     match table {
         Table::Ply => "Ply",
@@ -55,6 +69,9 @@ const fn heading(table: Table) -> &'static str {
         Table::Load => "Load",
         Table::Ends => "Ends that are held (one)",
         Table::Support => "A core the strands may lie on (one)",
+        Table::Construction => "Strand",
+        Table::Core => "Core",
+        Table::Layer => "Layer (repeat a flag once for each layer, from the inside; a flag given once holds for all)",
     }
 }
 
@@ -66,7 +83,8 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Text => "TEXT",
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
-        Kind::Pressure => "PRESSURE",
+        Kind::Pressure | Kind::Modulus => "PRESSURE",
+        Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",
         Kind::Turns => "TURNS",

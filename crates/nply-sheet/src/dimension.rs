@@ -56,6 +56,8 @@ impl Dimension {
     pub const MASS: Self = Self { force: 1, time: 2, length: -1, ..Self::NUMBER };
     /// Mass per length, in kg/m.
     pub const LINEAR_DENSITY: Self = Self { length: -2, ..Self::MASS };
+    /// Mass per volume, in kg/m³.
+    pub const DENSITY: Self = Self { length: -4, ..Self::MASS };
 
     /// Multiplied by `other` to the given power; `None` where an exponent passes what a quantity could mean (±99).
     ///
@@ -78,7 +80,7 @@ impl Dimension {
 
     /// The field's words for it, where there are any.
     const fn words(self) -> Option<&'static str> {
-        const NAMED: [(Dimension, &str); 15] = [
+        const NAMED: [(Dimension, &str); 16] = [
             (Dimension::NUMBER, "a pure number"),
             (Dimension::LENGTH, "a length"),
             (Dimension::AREA, "an area"),
@@ -94,6 +96,7 @@ impl Dimension {
             (Dimension::TIME, "a time"),
             (Dimension::MASS, "a mass"),
             (Dimension::LINEAR_DENSITY, "a linear density (mass per length)"),
+            (Dimension::DENSITY, "a density (mass per volume)"),
         ];
         let mut at = 0;
         while at < NAMED.len() {

@@ -1,6 +1,7 @@
-//! The one list of everything that can be written: keys of the file, flags of the command line.
+//! The one list of everything that can be written of a ply: keys of the file, flags of the command line.
 
 use crate::Dimension;
+use crate::construction::CONSTRUCTION_KEYS;
 
 /// A table of the input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -19,10 +20,16 @@ pub enum Table {
     Ends,
     /// `[support]`: a core that the strands may lie on or lift off from.
     Support,
+    /// `[construction]` of a layered strand: its name and outer diameter.
+    Construction,
+    /// `[core]` of a layered strand: the king wire, or whatever the first layer lies on.
+    Core,
+    /// `[[layer]]` of a layered strand: wires alike, laid side by side.
+    Layer,
 }
 
 impl Table {
-    /// All tables, in the order in which a file is usually written.
+    /// All tables of a ply, in the order in which a file is usually written.
     pub const ALL: [Self; 7] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load, Self::Ends, Self::Support];
 
     /// The name between the brackets.
@@ -36,6 +43,9 @@ impl Table {
             Self::Load => "load",
             Self::Ends => "ends",
             Self::Support => "support",
+            Self::Construction => "construction",
+            Self::Core => "core",
+            Self::Layer => "layer",
         }
     }
 }
@@ -78,6 +88,10 @@ pub enum Kind {
     Moment,
     /// A force per length; bare, in B/r³.
     ForcePerLength,
+    /// Mass per volume; bare where lengths are.
+    Density,
+    /// Young's modulus of a layer or core; bare where lengths are.
+    Modulus,
 }
 
 impl Kind {
@@ -93,7 +107,7 @@ impl Kind {
             Self::Switch => "true or false",
             Self::Length => "a length, such as \"0.5 mm\"",
             Self::Stiffness => "a stiffness (force times length squared), such as \"50 pN nm^2\"",
-            Self::Pressure => "a pressure, such as \"70 GPa\"",
+            Self::Pressure | Self::Modulus => "a pressure, such as \"70 GPa\"",
             Self::Temperature => "a temperature, such as \"298 K\"",
             Self::Angle => "an angle, such as \"20 deg\"",
             Self::Turns => "a number of turns, such as 12 or \"12 turns\"",
@@ -102,6 +116,7 @@ impl Kind {
             Self::Force => "a force, such as \"1.2 kN\"",
             Self::Moment => "a moment, such as \"4.1 pN nm\"",
             Self::ForcePerLength => "a force per length, such as \"5 N/mm\"",
+            Self::Density => "a density, such as \"7.85 g/cm^3\"",
         }
     }
 
@@ -113,13 +128,14 @@ impl Kind {
             Self::Balance | Self::Hand | Self::Text | Self::Switch => None,
             Self::Length => Some(Dimension::LENGTH),
             Self::Stiffness => Some(Dimension::STIFFNESS),
-            Self::Pressure => Some(Dimension::PRESSURE),
+            Self::Pressure | Self::Modulus => Some(Dimension::PRESSURE),
             Self::Temperature => Some(Dimension::TEMPERATURE),
             Self::Angle | Self::Turns => Some(Dimension::ANGLE),
             Self::TurnsPerLength | Self::Twist => Some(Dimension::ANGLE_PER_LENGTH),
             Self::Force => Some(Dimension::FORCE),
             Self::Moment => Some(Dimension::MOMENT),
             Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
+            Self::Density => Some(Dimension::DENSITY),
         }
     }
 
@@ -146,11 +162,17 @@ pub(crate) enum Group {
     Ends,
     /// The size of a core the strands may lie on.
     Support,
+    /// The size of a layered strand's core.
+    CoreSize,
+    /// The lay of a layer.
+    LayerLay,
+    /// What core or wires weigh.
+    Density,
 }
 
 /// One datum, whatever it is called on paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each is the key of the same name; KEYS says what it means")]
+#[expect(missing_docs, reason = "each is the key of the same name; KEYS and CONSTRUCTION_KEYS say what it means")]
 #[non_exhaustive]
 pub enum Datum {
     Title,
@@ -195,6 +217,26 @@ pub enum Datum {
     LengthRatio,
     SupportCoreRadius,
     SupportCoreDiameter,
+    StrandTitle,
+    StrandOuterDiameter,
+    StrandCoreDiameter,
+    StrandCoreDiameterRatio,
+    StrandCoreDensity,
+    StrandCoreMaterial,
+    StrandCoreYoungsModulus,
+    StrandCorePoissonsRatio,
+    LayerWires,
+    LayerWireDiameter,
+    LayerLayLength,
+    LayerLayRatio,
+    LayerLayAngle,
+    LayerHand,
+    LayerGap,
+    LayerDensity,
+    LayerMaterial,
+    LayerYoungsModulus,
+    LayerPoissonsRatio,
+    LayerPreformed,
 }
 
 /// One key: where it stands in the file, its flag, what it means.
@@ -221,7 +263,7 @@ pub struct Key {
     pub(crate) group: Option<Group>,
 }
 
-const fn key(
+pub(crate) const fn key(
     datum: Datum,
     table: Table,
     name: &'static str,
@@ -233,7 +275,7 @@ const fn key(
 }
 
 impl Key {
-    const fn one_of(mut self, group: Group) -> Self {
+    pub(crate) const fn one_of(mut self, group: Group) -> Self {
         self.group = Some(group);
         self
     }
@@ -253,11 +295,16 @@ impl Key {
 
     /// The key of a datum.
     pub(crate) fn of(datum: Datum) -> Option<&'static Self> {
-        KEYS.iter().find(|key| key.datum == datum)
+        Self::every().find(|key| key.datum == datum)
+    }
+
+    /// The keys of every kind of document.
+    pub(crate) fn every() -> impl Iterator<Item = &'static Self> {
+        KEYS.iter().chain(&CONSTRUCTION_KEYS)
     }
 }
 
-/// Every key, table by table.
+/// Every key of a ply, table by table.
 #[rustfmt::skip] // a table: one row a line
 pub static KEYS: [Key; 42] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),

@@ -13,6 +13,7 @@
 #![warn(missing_docs)]
 
 mod case;
+pub mod construction;
 mod diagnostic;
 mod dimension;
 mod double;
@@ -35,8 +36,8 @@ pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
-    AngleLine, COLUMNS, Column, Known, LaysReport, LocusReport, Measure, Reading, Report, Section, ShapeReport,
-    SpecialPoint, TraceReport, Walk,
+    AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, Reading, Report, Section,
+    ShapeReport, SpecialPoint, TraceReport, Walk,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

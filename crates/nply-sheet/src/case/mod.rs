@@ -319,7 +319,7 @@ pub(crate) fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
 
 impl Entry {
     /// The number of a datum, in SI or bare; NaN for one that is no number (its kind rules that out).
-    fn number(&self) -> f64 {
+    pub(crate) fn number(&self) -> f64 {
         match &self.value {
             Value::Quantity(quantity) => quantity.si(),
             _ => f64::NAN,
@@ -327,7 +327,7 @@ impl Entry {
     }
 
     /// Whether it was written with a unit.
-    fn is_measured(&self) -> bool {
+    pub(crate) fn is_measured(&self) -> bool {
         matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
     }
 
@@ -337,7 +337,7 @@ impl Entry {
     }
 
     /// The value, if it is greater than zero and finite.
-    fn positive(&self, value: f64) -> Result<f64, SpecError> {
+    pub(crate) fn positive(&self, value: f64) -> Result<f64, SpecError> {
         if value > 0.0 && value < f64::INFINITY {
             return Ok(value);
         }
@@ -346,7 +346,7 @@ impl Entry {
     }
 
     /// The value, if it is finite still after it was made dimensionless.
-    fn finite(&self, value: f64) -> Result<f64, SpecError> {
+    pub(crate) fn finite(&self, value: f64) -> Result<f64, SpecError> {
         if value.is_finite() {
             return Ok(value);
         }

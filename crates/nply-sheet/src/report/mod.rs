@@ -2,6 +2,7 @@
 
 mod column;
 mod csv;
+mod fit;
 mod item;
 mod json;
 mod lays;
@@ -19,6 +20,7 @@ use nply::Handedness;
 use nply::mechanics::{Balance, Ends, Equilibrium};
 
 pub use column::{COLUMNS, Column, Section};
+pub use fit::FitReport;
 pub use lays::LaysReport;
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};

@@ -1,6 +1,6 @@
 //! What was written, and where: the same from a file as from flags.
 
-mod file;
+pub(crate) mod file;
 
 use nply::Handedness;
 use nply::mechanics::Balance;
@@ -284,7 +284,7 @@ impl Spec {
 }
 
 /// A value written as text, read as its key asks.
-fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, SpecError> {
+pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, SpecError> {
     let error = |kind, said: String| {
         // a flag stands before its message already
         let message = match place {
@@ -347,8 +347,7 @@ fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, Spec
     let found = quantity.dimension();
     let said = QuantityError::WrongDimension { read: crate::quoted(text.trim()), found, wanted: key.kind.wanted() };
     // another key of the same table may be the one that takes it
-    let other = KEYS
-        .iter()
+    let other = Key::every()
         .find(|other| other.table == key.table && found != Dimension::NUMBER && other.kind.dimension() == Some(found));
     let help = match (other, place) {
         _ if key.kind == Kind::Angle && found == Dimension::NUMBER => {

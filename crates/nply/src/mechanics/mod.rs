@@ -3,6 +3,7 @@
 mod atlas;
 mod balance;
 mod buckling;
+mod cable;
 mod displacement;
 mod ends;
 mod energy;
@@ -11,6 +12,7 @@ mod extensible;
 mod flexibility;
 mod fold;
 mod ledger;
+mod line_contact;
 mod load;
 mod locus;
 mod margin;
@@ -28,6 +30,7 @@ mod twist;
 
 pub use balance::Balance;
 pub use buckling::BendingBounds;
+pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;

@@ -30,6 +30,25 @@ impl Jet2 {
         Self { value: jet.value, a: 0.0, b: jet.slope, aa: 0.0, ab: 0.0, bb: jet.bend }
     }
 
+    /// A function of this number, given by its value, slope and bend here.
+    pub(crate) fn map(self, f: Jet) -> Self {
+        let bend = |x: f64, y: f64, xy: f64| f.bend * x * y + f.slope * xy;
+        Self {
+            value: f.value,
+            a: f.slope * self.a,
+            b: f.slope * self.b,
+            aa: bend(self.a, self.a, self.aa),
+            ab: bend(self.a, self.b, self.ab),
+            bb: bend(self.b, self.b, self.bb),
+        }
+    }
+
+    /// The square root.
+    pub(crate) fn sqrt(self) -> Self {
+        let root = libm::sqrt(self.value);
+        self.map(Jet::new(root, 0.5 / root, -0.25 / (root * self.value)))
+    }
+
     pub(crate) fn recip(self) -> Self {
         let inverse = 1.0 / self.value;
         let square = inverse * inverse;
@@ -113,5 +132,11 @@ mod tests {
         close(z.aa, 6.0 * p * h);
         close(z.ab, 3.0 * p * p * h1);
         close(z.bb, p * p * p * h2);
+        // √(x²y²) = xy
+        let product = (x * x * y * y).sqrt();
+        close(product.value, p * q);
+        close(product.a, q);
+        close(product.ab, 1.0);
+        close(product.aa, 0.0);
     }
 }

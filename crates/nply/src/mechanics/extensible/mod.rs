@@ -19,5 +19,6 @@ pub use path::{StretchData, StretchPath, StretchStation};
 pub use ply::ExtensiblePly;
 pub use response::{Clamped, StretchFlexibility, StretchStiffness};
 pub use state::{ExtensibleState, StretchEnergy};
+pub(crate) use strand::check_poisson;
 pub use strand::{FormedLay, StretchingStrand, WorkingCore};
 pub use stress::{Fibre, WireStress};

@@ -1,7 +1,9 @@
 //! Stresses of solid round wires: outer fibres of strand and core, and the pressure where wires lie along each other.
 
+use core::f64::consts::FRAC_PI_4;
+
 use super::state::ExtensibleState;
-use core::f64::consts::{FRAC_PI_4, PI};
+use crate::mechanics::line_contact::{WireSurface, hertz_pressure, inward_to_neighbour};
 
 /// Where on a wire's surface the pull is greatest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -116,33 +118,30 @@ impl ExtensibleState {
     /// they do not press.
     ///
     /// p₀ = √(w E*/(π R*)), E* = E/(2(1 − ν²)). Surfaces that touch along a line differ there in curvature across it alone, so that 1/R* is
-    /// the difference of their mean curvatures: of each wire 1/r − κ cos φ/(1 − r κ cos φ), where φ is the angle from the inner side to the line.
+    /// the sum of their principal curvatures: of each wire 1/r − κ cos φ/(1 − r κ cos φ), φ being the angle from its inner side to the line.
     #[must_use]
     pub fn neighbour_hertz_pressure(&self) -> Option<f64> {
-        let load = self.neighbour_line_load();
-        // the way to the neighbour, inward: half of ρ(1 − cos β), the ply's shape being that of strands of radius 1
-        let inward = 0.5 * self.touching.radius_ratio() * self.touching.one_minus_cos_beta();
-        let curvature = 2.0 * self.wire_curvature(inward);
-        hertz(load, curvature, self.ply.strand().poissons_ratio())
+        let curvature = 2.0 * self.surface().facing(inward_to_neighbour(&self.touching));
+        self.hertz(self.neighbour_line_load(), curvature)
     }
 
     /// The same between strand and core of like solid round material; `None` where a strand does not press on it.
     #[must_use]
     pub fn core_hertz_pressure(&self) -> Option<f64> {
-        let curvature = self.wire_curvature(1.0) + 1.0 / self.core_radius()?;
-        hertz(self.core_line_load(), curvature, self.ply.strand().poissons_ratio())
+        let curvature = self.surface().facing(1.0) + 1.0 / self.core_radius()?;
+        self.hertz(self.core_line_load(), curvature)
     }
 
-    /// Sum of the principal curvatures of a wire's surface, at a place of which so much points to the axis.
-    fn wire_curvature(&self, inward: f64) -> f64 {
-        let s = self.thickness();
-        let kappa = self.angle().sin() * self.angle().sin() / self.radius_ratio();
-        1.0 / s - kappa * inward / (1.0 - s * kappa * inward)
+    fn surface(&self) -> WireSurface {
+        WireSurface {
+            radius: self.thickness(),
+            curvature: self.angle().sin() * self.angle().sin() / self.radius_ratio(),
+        }
     }
-}
 
-/// p₀/E for a load per length w r³/B on wires of B = πEr⁴/4.
-fn hertz(line_load: f64, curvature: f64, nu: f64) -> Option<f64> {
-    let modulus = 0.5 / (1.0 - nu * nu);
-    (line_load > 0.0 && curvature > 0.0).then(|| libm::sqrt(line_load * FRAC_PI_4 * modulus * curvature / PI))
+    /// p₀/E, with B = πEr⁴/4 of a solid round wire as unit.
+    fn hertz(&self, line_load: f64, curvature: f64) -> Option<f64> {
+        let material = [1.0 / FRAC_PI_4, self.ply.strand().poissons_ratio()];
+        Some(FRAC_PI_4 * hertz_pressure(line_load, curvature, [material; 2])?)
+    }
 }
