@@ -200,6 +200,7 @@ pub(crate) fn data_of(case: &Case) -> Result<Data, SpecError> {
         Question::States { twist, load } => (twist, Ends::Loads(load), None),
         Question::Held { twist, ends } => (twist, ends, None),
         Question::Supported { twist, ends, core_radius } => (twist, ends, core_radius),
+        Question::Stretched { .. } => return Err(super::stretch::not_here(case, "this path or map")),
         _ => {
             let asked = |entry: &Entry| entry.key.table == Table::Lay || entry.key.datum == Datum::Separation;
             return Err(case.refuse(asked, |said| {
