@@ -68,13 +68,15 @@ impl Opening {
         }
     }
 
-    fn of_stretched(state: &ExtensibleState) -> Self {
+    /// With the load that is kept as it was given, without the rounding of its way back.
+    fn of_stretched(state: &ExtensibleState, force: Option<f64>, moment: Option<f64>) -> Self {
+        let found = state.load();
         Self {
             lets_go: state.support(),
             handedness: state.handedness(),
             angle: state.angle(),
             radius_ratio: state.radius_ratio(),
-            load: state.load(),
+            load: Load { force: force.unwrap_or(found.force), moment: moment.unwrap_or(found.moment) },
         }
     }
 
@@ -222,21 +224,17 @@ impl Supported<ExtensibleState> {
     fn of_stretched(ply: &ExtensiblePly, twist: Twist, grips: Grips) -> Result<Self, DomainError> {
         let supports: &[Support] =
             if ply.core().is_some() { &[Support::Neighbours, Support::Core] } else { &[Support::Neighbours] };
-        let openings = |parted: &dyn Fn(Support) -> Result<Vec<ExtensibleState>, DomainError>| {
-            let mut openings = Vec::new();
-            for support in supports {
-                openings.extend(parted(*support)?.iter().map(Opening::of_stretched));
+        let (mut openings_at_force, mut openings_at_moment) = (Vec::new(), Vec::new());
+        for support in supports {
+            if let Axial::Force(force) = grips.axial {
+                let parted = ply.parting_at_force(*support, twist, force)?;
+                openings_at_force.extend(parted.iter().map(|s| Opening::of_stretched(s, Some(force), None)));
             }
-            Ok::<_, DomainError>(openings)
-        };
-        let openings_at_force = match grips.axial {
-            Axial::Force(force) => openings(&|support| ply.parting_at_force(support, twist, force))?,
-            Axial::Extension(_) => Vec::new(),
-        };
-        let openings_at_moment = match grips.turning {
-            Turning::Moment(moment) => openings(&|support| ply.parting_at_moment(support, twist, moment))?,
-            Turning::Rotation(_) => Vec::new(),
-        };
+            if let Turning::Moment(moment) = grips.turning {
+                let parted = ply.parting_at_moment(*support, twist, moment)?;
+                openings_at_moment.extend(parted.iter().map(|s| Opening::of_stretched(s, None, Some(moment))));
+            }
+        }
         let states = ply.states(twist, grips)?;
         Ok(Self { states, wedges: Vec::new(), openings_at_force, openings_at_moment })
     }

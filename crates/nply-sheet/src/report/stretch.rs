@@ -190,7 +190,7 @@ pub(super) fn held(grips: Grips) -> Vec<(&'static str, f64)> {
 pub(super) fn not_here(case: &Case, what: &str) -> SpecError {
     case.refuse(
         |entry| entry.key.datum == Datum::Stretch,
-        |said| format!("{said} goes with `nply support` and `nply solve`, and {what} knows only strands that do not stretch: remove it"),
+        |said| format!("{said} goes with `nply support`, `nply solve` and `nply trace`, and {what} knows only strands that do not stretch: remove it"),
     )
 }
 
