@@ -115,6 +115,7 @@ fn the_tested_strand_touches_below_17_degrees() {
 /// API Spec 9A, table C.1: 34.5 kg/100 m, lubricant and a diameter of up to 5 % more included, which the sizes here leave out.
 #[test]
 fn the_rope_weighs_a_little_less_than_is_published() {
-    let mass = number(&json(&["fit-check", "crates/nply-sheet/presets/rope-6x7.toml", "--json"]), "mass_per_length_kg_per_m");
+    let mass =
+        number(&json(&["fit-check", "crates/nply-sheet/presets/rope-6x7.toml", "--json"]), "mass_per_length_kg_per_m");
     assert!(mass < 0.345 && mass > 0.345 / (1.05 * 1.05), "{mass}");
 }

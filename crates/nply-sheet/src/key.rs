@@ -14,6 +14,8 @@ pub enum Table {
     Twist,
     /// `[lay]`: the shape of the ply, where it is given and not asked for.
     Lay,
+    /// `[formed]`: the lay in which a ply of strands that stretch was made.
+    Formed,
     /// `[load]`: what pulls and turns the ply.
     Load,
     /// `[ends]`: how the ply's ends are held, where a displacement is given instead of a load.
@@ -30,7 +32,8 @@ pub enum Table {
 
 impl Table {
     /// All tables of a ply, in the order in which a file is usually written.
-    pub const ALL: [Self; 7] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load, Self::Ends, Self::Support];
+    pub const ALL: [Self; 8] =
+        [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Formed, Self::Load, Self::Ends, Self::Support];
 
     /// The name between the brackets.
     #[must_use]
@@ -40,6 +43,7 @@ impl Table {
             Self::Strand => "strand",
             Self::Twist => "twist",
             Self::Lay => "lay",
+            Self::Formed => "formed",
             Self::Load => "load",
             Self::Ends => "ends",
             Self::Support => "support",
@@ -166,6 +170,14 @@ pub(crate) enum Group {
     Ends,
     /// The size of a core the strands may lie on.
     Support,
+    /// Poisson's ratio by which strands thin.
+    Thinning,
+    /// The lay in which the ply was made.
+    Formed,
+    /// What gives a core's stiffness against stretch.
+    CoreAxial,
+    /// What gives a core's stiffness against twist.
+    CoreTorsion,
     /// The size of a layered strand's core.
     CoreSize,
     /// The lay of a layer.
@@ -225,6 +237,18 @@ pub enum Datum {
     LengthRatio,
     SupportCoreRadius,
     SupportCoreDiameter,
+    Stretch,
+    AxialStiffness,
+    ThinningRatio,
+    FormedHelicalAngle,
+    FormedLayLength,
+    FormedRadiusRatio,
+    FormedHand,
+    Preforming,
+    SupportCoreYoungsModulus,
+    SupportCorePoissonsRatio,
+    SupportCoreAxialStiffness,
+    SupportCoreTorsionalStiffness,
     StrandTitle,
     StrandOuterDiameter,
     StrandCoreDiameter,
@@ -303,7 +327,8 @@ impl Key {
     /// ```
     #[must_use]
     pub const fn may_change(&self) -> bool {
-        matches!(self.table, Table::Twist | Table::Ends | Table::Support)
+        matches!(self.table, Table::Twist | Table::Ends)
+            || matches!(self.datum, Datum::SupportCoreRadius | Datum::SupportCoreDiameter)
             || matches!(self.datum, Datum::Force | Datum::Moment | Datum::StiffnessRatio)
     }
 
@@ -341,7 +366,7 @@ impl Key {
 
 /// Every key of a ply, table by table.
 #[rustfmt::skip] // a table: one row a line
-pub static KEYS: [Key; 46] = [
+pub static KEYS: [Key; 58] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
     key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
@@ -363,6 +388,10 @@ pub static KEYS: [Key; 46] = [
     key(Datum::Temperature, Table::Strand, "temperature", "temperature", Kind::Temperature, "Temperature T for persistence lengths"),
     key(Datum::StrandLength, Table::Strand, "length", "strand-length", Kind::Length, "Strand length L; needed for turns and rotations, and for the ply's length"),
 
+    key(Datum::Stretch, Table::Strand, "stretch", "stretch", Kind::Switch, "Strands stretch and thin under load; ends may be held in length and rotation both"),
+    key(Datum::AxialStiffness, Table::Strand, "axial_stiffness", "axial-stiffness", Kind::Force, "Stiffness EA of a strand that stretches; follows from Young's modulus where it is solid and round"),
+    key(Datum::ThinningRatio, Table::Strand, "thinning_ratio", "thinning-ratio", Kind::Number, "Poisson's ratio by which a strand thins as it stretches, where poissons_ratio is not given; 0 if absent").one_of(Group::Thinning),
+
     key(Datum::Pretwist, Table::Twist, "pretwist", "pretwist", Kind::Number, "Rotation put into each strand per length, times r; right-handed positive").one_of(Group::Twist),
     key(Datum::SurfaceAngle, Table::Twist, "surface_angle", "surface-angle", Kind::Angle, "Angle chi of a stripe on the straight strand, pretwist = tan chi").one_of(Group::Twist),
     key(Datum::TurnsPerLength, Table::Twist, "turns_per_length", "turns-per-length", Kind::TurnsPerLength, "Turns put into each strand per length").one_of(Group::Twist),
@@ -381,6 +410,12 @@ pub static KEYS: [Key; 46] = [
     key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core that touching strands do lie on (this gives the shape), R = core radius + r").one_of(Group::Lay),
     key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core that touching strands do lie on (this gives the shape)").one_of(Group::Lay),
 
+    key(Datum::FormedHelicalAngle, Table::Formed, "helical_angle", "formed-helical-angle", Kind::Angle, "Lay angle in which the ply was made: its core is free of stress there").one_of(Group::Formed),
+    key(Datum::FormedLayLength, Table::Formed, "lay_length", "formed-lay-length", Kind::Length, "The same, by its lay length").one_of(Group::Formed),
+    key(Datum::FormedRadiusRatio, Table::Formed, "radius_ratio", "formed-radius-ratio", Kind::Number, "R/r in which the ply was made; the least there is, on the core or on neighbours, if absent"),
+    key(Datum::FormedHand, Table::Formed, "hand", "formed-hand", Kind::Hand, "Which way the ply was laid: right (Z), as if absent, or left (S)"),
+    key(Datum::Preforming, Table::Formed, "preforming", "preforming", Kind::Number, "How far strands were bent to this lay beforehand: 0 straight, as if absent, to 1 free of stress in it"),
+
     key(Datum::Force, Table::Load, "force", "force", Kind::Force, "End force on the ply, tension positive"),
     key(Datum::Moment, Table::Load, "moment", "moment", Kind::Moment, "End moment on the ply, right-handed positive"),
     key(Datum::ExternalPressure, Table::Load, "external_pressure", "external-pressure", Kind::ForcePerLength, "Radial force per strand length from outside, outward positive"),
@@ -394,6 +429,10 @@ pub static KEYS: [Key; 46] = [
 
     key(Datum::SupportCoreRadius, Table::Support, "core_radius", "support-core-radius", Kind::Length, "Radius of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
     key(Datum::SupportCoreDiameter, Table::Support, "core_diameter", "support-core-diameter", Kind::Length, "Diameter of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
+    key(Datum::SupportCoreYoungsModulus, Table::Support, "core_youngs_modulus", "support-core-youngs-modulus", Kind::Pressure, "Young's modulus of a solid round core that works along with strands that stretch").one_of(Group::CoreAxial),
+    key(Datum::SupportCorePoissonsRatio, Table::Support, "core_poissons_ratio", "support-core-poissons-ratio", Kind::Number, "Poisson's ratio of the core, by which it thins; the strands' if absent"),
+    key(Datum::SupportCoreAxialStiffness, Table::Support, "core_axial_stiffness", "support-core-axial-stiffness", Kind::Force, "Stiffness EA of the core, where it is not solid and round").one_of(Group::CoreAxial),
+    key(Datum::SupportCoreTorsionalStiffness, Table::Support, "core_torsional_stiffness", "support-core-torsional-stiffness", Kind::Stiffness, "Stiffness GJ of the core; 0 if absent").one_of(Group::CoreTorsion),
 ];
 
 /// The name among `known` that is nearest to what was written, if it is near enough to have been meant.
@@ -436,9 +475,9 @@ mod tests {
                 Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength | Datum::PlyLength => {
                     assert_eq!(key.flag, format!("ply-{same}"));
                 }
-                Datum::SupportCoreRadius | Datum::SupportCoreDiameter => {
-                    assert_eq!(key.flag, format!("support-{same}"));
-                }
+                _ if key.table == Table::Support => assert_eq!(key.flag, format!("support-{same}")),
+                Datum::Preforming => assert_eq!(key.flag, "preforming"),
+                _ if key.table == Table::Formed => assert_eq!(key.flag, format!("formed-{same}")),
                 _ => assert_eq!(key.flag, same),
             }
         }

@@ -10,11 +10,12 @@ mod plying;
 mod question;
 mod relative;
 mod strand;
+mod stretch;
 mod strings;
 mod support;
 mod twist;
 
-use nply::mechanics::{Balance, Ends, Load, Twist};
+use nply::mechanics::{Balance, Ends, ExtensiblePly, Grips, Load, Twist};
 use nply::{DomainError, Handedness, Scale};
 
 use lay::GivenLay;
@@ -143,6 +144,15 @@ pub enum Question {
         /// Core radius over r, if there is a core.
         core_radius: Option<f64>,
     },
+    /// The same of strands that stretch.
+    Stretched {
+        /// The strands, their core and the lay in which they were made.
+        ply: ExtensiblePly,
+        /// The twist given.
+        twist: Twist,
+        /// A load or a displacement along and around.
+        grips: Grips,
+    },
 }
 
 /// The shape of a ply, in one of the ways in which it is measured.
@@ -172,14 +182,20 @@ impl Case {
         let strand_length = measure.strand_length()?;
         let twist = twist::of(&measure, strand_length)?;
         let lay = lay::of(&measure)?;
-        let ends = ends::of(&measure, strand_length)?;
-        let support = support::of(&measure, supports)?;
+        let stretches = spec.stretches();
+        let support = support::of(&measure, supports || stretches)?;
         let balance = match spec.get(Datum::Balance) {
             Some(Entry { value: Value::Balance(balance), .. }) => *balance,
             _ => Balance::default(),
         };
         let external_pressure = question::external_pressure(&measure, balance)?;
-        let question = question::of(&measure, twist, lay, ends, support)?;
+        let question = if stretches {
+            let ply = stretch::of(&measure, strands, strand.stiffness_ratio, support)?;
+            question::stretched(&measure, ply, twist, lay, support, strand_length)?
+        } else {
+            stretch::none(spec)?;
+            question::of(&measure, twist, lay, ends::of(&measure, strand_length)?, support)?
+        };
         let title = match spec.get(Datum::Title) {
             Some(Entry { value: Value::Text(title), .. }) => Some(title.clone()),
             _ => None,

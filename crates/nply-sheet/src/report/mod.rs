@@ -13,6 +13,7 @@ mod measure;
 mod plying;
 mod shape;
 mod stiffness;
+mod stretch;
 mod strings;
 mod support;
 mod text;
@@ -20,7 +21,7 @@ mod trace;
 mod verdict;
 
 use nply::Handedness;
-use nply::mechanics::{Balance, Ends, Equilibrium};
+use nply::mechanics::{Axial, Balance, Ends, Equilibrium, Turning};
 
 pub use column::{COLUMNS, Column, Section};
 pub use fit::FitReport;
@@ -116,12 +117,21 @@ fn found(question: Question) -> Option<&'static str> {
             Ends::Rotation { .. } => Some("moment"),
             Ends::Length { .. } => Some("force"),
         },
+        // with both displacements held, both loads are found
+        Question::Stretched { grips, .. } => match (grips.axial, grips.turning) {
+            (Axial::Force(_), Turning::Rotation(_)) => Some("moment"),
+            (Axial::Extension(_), Turning::Moment(_)) => Some("force"),
+            _ => None,
+        },
     }
 }
 
 fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     if let Some(supported) = &solution.supported {
         return support::notes(case, solution.straight, supported);
+    }
+    if let Some(stretched) = &solution.stretched {
+        return stretch::notes(case, stretched);
     }
     let mut notes = Vec::new();
     if solution.states.is_empty() {

@@ -40,6 +40,11 @@ impl Entry {
         }
     }
 
+    /// Whether it holds the ends in their rotation.
+    pub(crate) const fn turns_ends(&self) -> bool {
+        matches!(self.key.datum, Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength)
+    }
+
     /// An error about this datum, at its place.
     pub(crate) fn error(&self, kind: ErrorKind, message: impl Into<String>) -> SpecError {
         SpecError::new(kind, self.place.clone(), message).of_key(self.key.name)
@@ -154,9 +159,13 @@ impl Spec {
     /// ```
     #[must_use]
     pub fn overridden_by(&self, flags: &Self) -> Self {
+        // strands that stretch may have their length and their rotation held at once
+        let both = self.stretches() || flags.stretches();
         let replaced = |entry: &Entry| {
             flags.entries.iter().any(|flag| {
-                flag.key.datum == entry.key.datum || (flag.key.group.is_some() && flag.key.group == entry.key.group)
+                let same_group = flag.key.group.is_some() && flag.key.group == entry.key.group;
+                let beside = both && flag.turns_ends() != entry.turns_ends();
+                flag.key.datum == entry.key.datum || same_group && !beside
             })
         };
         let mut merged = self.clone();
@@ -250,6 +259,11 @@ impl Spec {
     /// ```
     pub fn check_strings(&self) -> Result<crate::Strings, SpecError> {
         crate::Strings::of(self)
+    }
+
+    /// Whether strands are to stretch.
+    pub(crate) fn stretches(&self) -> bool {
+        self.get(Datum::Stretch).is_some_and(|entry| entry.value == Value::Switch(true))
     }
 
     /// The number of strands alone, 1 to a million.
@@ -396,9 +410,10 @@ pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<
     }
     let found = quantity.dimension();
     let said = QuantityError::WrongDimension { read: crate::quoted(text.trim()), found, wanted: key.kind.wanted() };
-    // another key of the same table may be the one that takes it
-    let other = Key::every()
-        .find(|other| other.table == key.table && found != Dimension::NUMBER && other.kind.dimension() == Some(found));
+    // another key of the same table may be the one that takes it; what only strands that stretch have is seldom meant
+    let takes = |other: &Key| found != Dimension::NUMBER && other.kind.dimension() == Some(found);
+    let other =
+        Key::every().find(|other| other.table == key.table && other.datum != Datum::AxialStiffness && takes(other));
     let help = match (other, place) {
         _ if key.kind == Kind::Angle && found == Dimension::NUMBER => {
             Some(format!("did you mean \"{} deg\" or \"{0} rad\"?", quantity.si()))

@@ -37,8 +37,9 @@ pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;
 pub use extensible::{
-    Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchEnergy, StretchFlexibility,
-    StretchStiffness, StretchingStrand, Turning, WireStress, WorkingCore,
+    Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchData, StretchEnergy,
+    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, Turning, WireStress,
+    WorkingCore,
 };
 pub use ledger::Link;
 pub use load::Load;

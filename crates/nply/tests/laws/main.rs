@@ -13,6 +13,7 @@ mod refusal;
 mod section;
 mod separation;
 mod stability;
+mod stretch_path;
 mod support;
 mod wire_layer;
 

@@ -52,20 +52,10 @@ impl ExtensiblePly {
         grips.check(self.strand().stretches())?;
         let mut states = Vec::new();
         for hand in Handedness::BOTH {
-            let held = match (grips.axial, grips.turning) {
-                (_, Turning::Rotation(rotation)) if rotation * hand.sign() < 0.0 => continue,
-                (axial, turning) => Held {
-                    extension: match axial {
-                        Axial::Extension(extension) => Some(extension),
-                        Axial::Force(_) => None,
-                    },
-                    rotation: match turning {
-                        Turning::Rotation(rotation) => Some(rotation.abs()),
-                        Turning::Moment(_) => None,
-                    },
-                },
-            };
-            let search = Search { ply: self, hand, twist, load: grips.given(), held };
+            if matches!(grips.turning, Turning::Rotation(rotation) if rotation * hand.sign() < 0.0) {
+                continue;
+            }
+            let search = Search::new(self, hand, twist, grips);
             search.along(Support::Neighbours, &mut states)?;
             if self.core().is_some() {
                 search.along(Support::Core, &mut states)?;
@@ -80,7 +70,7 @@ impl ExtensiblePly {
 
 /// One hand.
 #[derive(Clone, Copy)]
-struct Search<'p> {
+pub(super) struct Search<'p> {
     ply: &'p ExtensiblePly,
     hand: Handedness,
     twist: Twist,
@@ -120,7 +110,21 @@ fn at_angle(reduced: &Reduced<'_>, angle: HelicalAngle) -> Option<Here> {
     }
 }
 
-impl Search<'_> {
+impl<'p> Search<'p> {
+    pub(super) fn new(ply: &'p ExtensiblePly, hand: Handedness, twist: Twist, grips: Grips) -> Self {
+        let held = Held {
+            extension: match grips.axial {
+                Axial::Extension(extension) => Some(extension),
+                Axial::Force(_) => None,
+            },
+            rotation: match grips.turning {
+                Turning::Rotation(rotation) => Some(rotation.abs()),
+                Turning::Moment(_) => None,
+            },
+        };
+        Self { ply, hand, twist, load: grips.given(), held }
+    }
+
     fn reduced(&self, support: Support) -> Reduced<'_> {
         let potential = Potential::new(self.ply, self.hand, self.twist, self.load);
         Reduced { ply: self.ply, potential, held: self.held, support }
@@ -310,7 +314,13 @@ impl Search<'_> {
     }
 
     /// The loads that are found, and what the contacts carry: E_Y = −Σμ, E_θ = Σμ ∂b/∂θ, E_e = Σμ ∂b/∂e.
-    fn state(&self, support: Support, angle: HelicalAngle, rotation: f64, strain: f64) -> Option<ExtensibleState> {
+    pub(super) fn state(
+        &self,
+        support: Support,
+        angle: HelicalAngle,
+        rotation: f64,
+        strain: f64,
+    ) -> Option<ExtensibleState> {
         let (n, eps) = (f64::from(self.ply.strands()), self.hand.sign());
         let (s, c, lambda) = (angle.sin(), angle.cos(), 1.0 + strain);
         let spot = Reduced::spot(angle, rotation, strain);

@@ -96,7 +96,11 @@ impl ExtensibleState {
     /// R/r, r unstretched.
     #[must_use]
     pub fn radius_ratio(&self) -> f64 {
-        (1.0 + self.strain) * self.angle().sin() / self.turn
+        match self.support {
+            Support::Neighbours | Support::Both => self.thickness() * self.touching.radius_ratio(),
+            Support::Core => self.thickness() + self.core_radius().unwrap_or(f64::NAN),
+            Support::Free => (1.0 + self.strain) * self.angle().sin() / self.turn,
+        }
     }
 
     /// Radius of the core, thinned, in units of r; `None` without one.
