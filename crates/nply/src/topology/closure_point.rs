@@ -17,8 +17,8 @@ pub(crate) fn closures(points: &[Vector]) -> Vec<Vector> {
     let mut apexes: Vec<(f64, Vector)> = (0..CLOSURES)
         .map(|k| {
             // even over the sphere, on a spiral
-            let height = 1.0 - (2.0 * f64::from(k) + 1.0) / f64::from(CLOSURES);
-            let (sin, cos) = libm::sincos(2.399_963_229_728_653 * f64::from(k) + 0.7);
+            let height = 1.0 - (2.0 * k as f64 + 1.0) / CLOSURES as f64;
+            let (sin, cos) = libm::sincos(2.399_963_229_728_653 * k as f64 + 0.7);
             let across = (1.0 - height * height).sqrt();
             let apex = add(centre, times(radius, [across * cos, across * sin, height]));
             (clearance(points, ends, apex), apex)
@@ -28,7 +28,8 @@ pub(crate) fn closures(points: &[Vector]) -> Vec<Vector> {
     apexes.into_iter().map(|(_, apex)| apex).collect()
 }
 
-const CLOSURES: u32 = 24;
+/// How many points there are to choose from.
+pub(crate) const CLOSURES: usize = 24;
 
 /// How closely the curve, at a sample of its points, comes to the lines from its ends to a point, as a share of the way from the end.
 fn clearance(points: &[Vector], ends: [Vector; 2], apex: Vector) -> f64 {

@@ -2,16 +2,16 @@
 
 use super::CurveError;
 use super::orientation::{hand, touch, turn};
-use super::shadow::{PIECE, Piece, Shadow};
+use super::shadow::{PIECE, Piece, Shadow, Sight};
 use super::view::View;
 use crate::numerics::vector::{Vector, dot};
 
 /// A curve with its shadow.
 #[derive(Clone, Copy)]
-pub(crate) struct Seen<'a> {
-    pub(crate) points: &'a [Vector],
-    pub(crate) segments: usize,
-    pub(crate) shadow: &'a Shadow,
+struct Seen<'a> {
+    points: &'a [Vector],
+    segments: usize,
+    shadow: &'a Shadow,
 }
 
 /// Crossings that were counted.
@@ -32,15 +32,18 @@ pub(crate) enum Blind {
 }
 
 /// How often a curve is seen to cross itself.
-pub(crate) fn self_crossings(curve: Seen<'_>, view: View) -> Result<Crossings, Blind> {
+pub(crate) fn self_crossings(points: &[Vector], sight: &Sight) -> Result<Crossings, Blind> {
+    let curve = Seen { points, segments: points.len(), shadow: &sight.shadow };
+    let view = sight.view;
     let mut count = Count { one: curve, other: curve, view, same: true, found: Crossings::default() };
     count.within(curve.shadow.levels() - 1, 0)?;
     Ok(count.found)
 }
 
-/// How often two curves are seen to cross each other.
-pub(crate) fn mutual_crossings(one: Seen<'_>, other: Seen<'_>, view: View) -> Result<Crossings, Blind> {
-    let mut count = Count { one, other, view, same: false, found: Crossings::default() };
+/// How often two closed curves are seen to cross each other along one direction.
+pub(crate) fn mutual_crossings(points: [&[Vector]; 2], sights: [&Sight; 2]) -> Result<Crossings, Blind> {
+    let [one, other] = [0, 1].map(|k| Seen { points: points[k], segments: points[k].len(), shadow: &sights[k].shadow });
+    let mut count = Count { one, other, view: sights[0].view, same: false, found: Crossings::default() };
     count.between([one.shadow.levels() - 1, 0], [other.shadow.levels() - 1, 0])?;
     Ok(count.found)
 }

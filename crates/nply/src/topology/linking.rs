@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use super::closure_point::closures;
-use super::crossing::{Blind, Crossings, Seen, mutual_crossings};
+use super::closure_point::{CLOSURES, closures};
+use super::crossing::{Blind, Crossings, mutual_crossings};
 use super::segments::half_solid_angle_with_bound;
 use super::shadow::look;
 use super::view::{View, views};
@@ -48,25 +48,33 @@ pub fn linking_number(one: &Curve, other: &Curve) -> Result<LinkingNumber, Curve
         return Err(CurveError::Open { curve });
     }
     let [a, b] = one.scaled_pair(other);
-    let mut counts = views(&[&a, &b]).into_iter().filter_map(|view| match count(&a, &b, view) {
-        Ok(crossings) => Some(Ok(crossings)),
-        Err(Blind::Degenerate) => None,
-        Err(Blind::Touch(error)) => Some(Err(error)),
-    });
-    let mut next = || counts.next().unwrap_or(Err(CurveError::Undecided));
-    let (first, second) = (next()?, next()?);
+    let [first, second] = counts(&a, &b)?;
     if first.signed != second.signed || first.signed % 2 != 0 {
         return Err(CurveError::Undecided);
     }
     Ok(LinkingNumber { value: first.signed / 2, crossings: [first.count, second.count] })
 }
 
-/// Crossings between two closed polygons.
-fn count(a: &[Vector], b: &[Vector], view: View) -> Result<Crossings, Blind> {
-    let [shadow, other] = [a, b].map(|points| look::<false>(points, points.len(), view).map(|(shadow, _)| shadow));
-    let (Some(shadow), Some(other)) = (shadow, other) else { return Err(Blind::Degenerate) };
-    let one = Seen { points: a, segments: a.len(), shadow: &shadow };
-    mutual_crossings(one, Seen { points: b, segments: b.len(), shadow: &other }, view)
+/// Crossings between two closed polygons along the first two directions that show something.
+fn counts(a: &[Vector], b: &[Vector]) -> Result<[Crossings; 2], CurveError> {
+    let mut first = None;
+    for views in views(&[a, b]) {
+        for count in count(a, b, views) {
+            match (count, first) {
+                (Ok(crossings), None) => first = Some(crossings),
+                (Ok(crossings), Some(first)) => return Ok([first, crossings]),
+                (Err(Blind::Degenerate), _) => {}
+                (Err(Blind::Touch(error)), _) => return Err(error),
+            }
+        }
+    }
+    Err(CurveError::Undecided)
+}
+
+/// Crossings between two closed polygons along two directions.
+fn count(a: &[Vector], b: &[Vector], views: [View; 2]) -> [Result<Crossings, Blind>; 2] {
+    let [one, other] = [a, b].map(|points| look::<false>(points, points.len(), views));
+    [0, 1].map(|k| mutual_crossings([a, b], [&one[k], &other[k]]))
 }
 
 /// The Gauss integral of two curves, closed or open: the double integral (A.4) with one curve as r(s), the other as r(t).
@@ -91,15 +99,17 @@ pub fn linking_integral(one: &Curve, other: &Curve) -> Result<LinkingIntegral, C
     }
     let [a, b] = one.scaled_pair(other);
     let [ways, other_ways] = [(one, &a), (other, &b)].map(|(curve, points)| Closing::of(points, curve.is_closed()));
-    for (view, k) in views(&[&a, &b]).into_iter().zip(0..) {
+    for k in 0..CLOSURES {
         let (x, y) = (&ways[k % ways.len()], &other_ways[(k + k / 4) % other_ways.len()]);
-        match count(&x.closed(&a), &y.closed(&b), view) {
-            Err(Blind::Degenerate) => {}
+        match counts(&x.closed(&a), &y.closed(&b)) {
             // a closing segment that touches is badly chosen, no more
-            Err(Blind::Touch(CurveError::Touch { segments, .. }))
+            Err(CurveError::Touch { segments, .. })
                 if segments[0] >= one.segments() || segments[1] >= other.segments() => {}
-            Err(Blind::Touch(error)) => return Err(error),
-            Ok(crossings) => {
+            Err(error) => return Err(error),
+            Ok([first, second]) => {
+                if first.signed != second.signed {
+                    return Err(CurveError::Undecided);
+                }
                 let mut sum = Sum::default();
                 sum.add(&a, one.segments(), &y.segments);
                 sum.add(&b, other.segments(), &x.segments);
@@ -108,7 +118,7 @@ pub fn linking_integral(one: &Curve, other: &Curve) -> Result<LinkingIntegral, C
                         sum.pair(p, q);
                     }
                 }
-                let value = 0.5 * crossings.signed as f64 - sum.angle / TAU;
+                let value = 0.5 * first.signed as f64 - sum.angle / TAU;
                 let bound = (sum.bound + (a.len() + b.len()) as f64 * f64::EPSILON * sum.greatest) / TAU;
                 return Ok(LinkingIntegral { value, bound });
             }

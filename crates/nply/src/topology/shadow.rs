@@ -1,7 +1,7 @@
 //! A curve as it is seen along a direction: boxes round its pieces, and the twist of the direction along it.
 
 use super::view::View;
-use crate::numerics::vector::{Vector, dot, sub};
+use crate::numerics::vector::{Vector, dot, sub, unit};
 
 /// Segments of the least piece, and pieces that are worked out side by side.
 pub(crate) const PIECE: usize = 8;
@@ -84,18 +84,38 @@ pub(crate) struct FramingTwist {
     pub(crate) bound: f64,
 }
 
-/// Boxes of all pieces of a polygon, and, if it is closed and the twist is wanted, the twist of d along it; none where a corner's shadow has no side.
-pub(crate) fn look<const TWIST: bool>(
-    points: &[Vector],
-    segments: usize,
-    view: View,
-) -> Option<(Shadow, FramingTwist)> {
-    let mut gauge = Gauge::new(points, segments, view);
+/// A curve as it is seen along one direction: boxes round all its pieces, and how often the direction turns about it.
+pub(crate) struct Sight {
+    pub(crate) view: View,
+    pub(crate) shadow: Shadow,
+    /// of closed curves, where it was asked for
+    pub(crate) twist: FramingTwist,
+    /// whether the shadow of a corner turns back on itself, to neither side
+    degenerate: bool,
+}
+
+impl Sight {
+    /// Nothing, where the direction shows a corner from neither side.
+    pub(crate) fn clear(self) -> Option<Self> {
+        (!self.degenerate).then_some(self)
+    }
+}
+
+/// Looks at a polygon along two directions at once.
+pub(crate) fn look<const TWIST: bool>(points: &[Vector], segments: usize, views: [View; 2]) -> [Sight; 2] {
+    let blur = BLUR * reach_of(points);
+    let mut gauge = Gauge { points, segments, blur, tallies: views.map(|view| Tally::new(view, segments)) };
     gauge.measure::<TWIST>();
-    let Gauge { pieces, degenerate, angle, worst, blur, .. } = gauge;
-    let turns = angle / core::f64::consts::TAU;
-    let bound = 16.0 * f64::EPSILON * worst + 4.0 * f64::EPSILON * turns.abs();
-    (!degenerate).then(|| (Shadow::over(pieces, blur), FramingTwist { turns, bound }))
+    gauge.tallies.map(|tally| {
+        let turns = tally.angle / core::f64::consts::TAU;
+        let bound = 16.0 * f64::EPSILON * tally.worst + 4.0 * f64::EPSILON * turns.abs();
+        Sight {
+            view: tally.view,
+            shadow: Shadow::over(tally.pieces, blur),
+            twist: FramingTwist { turns, bound },
+            degenerate: tally.degenerate,
+        }
+    })
 }
 
 /// What rounding can do to the place of a shadow, times the greatest coordinate.
@@ -103,27 +123,28 @@ const BLUR: f64 = 32.0 * f64::EPSILON;
 /// A part of a unit vector that is surely not zero.
 const SURE: f64 = 16.0 * f64::EPSILON;
 
+/// One unit vector per lane.
+type Units = [Lanes; 3];
+
 struct Gauge<'a> {
     points: &'a [Vector],
     segments: usize,
-    view: View,
     blur: f64,
+    tallies: [Tally; 2],
+}
+
+/// What is kept of one direction.
+struct Tally {
+    view: View,
     pieces: Vec<Piece>,
     degenerate: bool,
     angle: f64,
     worst: f64,
+    /// the direction of the segment before, in the frame of the view
+    before: Vector,
 }
 
-/// One unit vector per lane, in the frame of the view.
-type Units = [Lanes; 3];
-
-impl<'a> Gauge<'a> {
-    fn new(points: &'a [Vector], segments: usize, view: View) -> Self {
-        let reach = points.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let pieces = Vec::with_capacity(2 * segments.div_ceil(PIECE) + 64);
-        Self { points, segments, view, blur: BLUR * reach, pieces, degenerate: false, angle: 0.0, worst: 0.0 }
-    }
-
+impl Gauge<'_> {
     /// With as wide registers as the processor has: the same products and sums, and so the same bits.
     fn measure<const TWIST: bool>(&mut self) {
         #[cfg(target_arch = "x86_64")]
@@ -147,40 +168,75 @@ impl<'a> Gauge<'a> {
     #[inline(always)]
     fn run<const TWIST: bool>(&mut self) {
         let n = self.points.len();
-        let mut before = self.unit_of(self.segments - 1);
+        let last = unit(sub(self.points[self.segments % n], self.points[self.segments - 1]));
+        for tally in &mut self.tallies {
+            tally.before = tally.view.seen(last);
+        }
         for start in (0..self.segments).step_by(CHUNK) {
             let count = CHUNK.min(self.segments - start);
             // steps down, pieces across; the last point is repeated at the end
             let mut p = [[[0.0; WIDTH]; PIECE + 1]; 3];
-            for lane in 0..WIDTH {
-                for step in 0..=PIECE {
-                    let at = start + (lane * PIECE + step).min(count);
-                    let point = self.points[if at < n { at } else { at - n }];
-                    for k in 0..3 {
-                        p[k][step][lane] = point[k];
+            if let Some(points) = self.points.get(start..=start + CHUNK) {
+                for lane in 0..WIDTH {
+                    for step in 0..=PIECE {
+                        for k in 0..3 {
+                            p[k][step][lane] = points[lane * PIECE + step][k];
+                        }
+                    }
+                }
+            } else {
+                for lane in 0..WIDTH {
+                    for step in 0..=PIECE {
+                        let point = self.points[(start + (lane * PIECE + step).min(count)) % n];
+                        for k in 0..3 {
+                            p[k][step][lane] = point[k];
+                        }
                     }
                 }
             }
-            let units = self.box_in(&p, count);
-            if TWIST {
-                before = self.turn(&units, before, start, count);
+            let units = directions(&p);
+            for tally in &mut self.tallies {
+                let seen = tally.box_in(&p, &units, count, self.blur);
+                if TWIST {
+                    tally.turn(&seen, self.points, start, count);
+                }
             }
         }
     }
+}
 
-    fn unit_of(&self, segment: usize) -> Vector {
-        let n = self.points.len();
-        let e = sub(self.points[(segment + 1) % n], self.points[segment]);
-        let View { u, v, d } = self.view;
-        let (x, y, z) = (dot(u, e), dot(v, e), dot(d, e));
-        let length = (x * x + y * y + z * z).sqrt();
-        [x / length, y / length, z / length]
+/// The directions of the segments of a chunk; no numbers past the end.
+#[inline(always)]
+fn directions(p: &[[Lanes; PIECE + 1]; 3]) -> [Units; PIECE] {
+    let mut units = [[[0.0; WIDTH]; 3]; PIECE];
+    for step in 0..PIECE {
+        for lane in 0..WIDTH {
+            let [x, y, z] = [0, 1, 2].map(|k| p[k][step + 1][lane] - p[k][step][lane]);
+            let inverse = 1.0 / (x * x + y * y + z * z).sqrt();
+            units[step][0][lane] = x * inverse;
+            units[step][1][lane] = y * inverse;
+            units[step][2][lane] = z * inverse;
+        }
+    }
+    units
+}
+
+impl Tally {
+    fn new(view: View, segments: usize) -> Self {
+        let pieces = Vec::with_capacity(2 * segments.div_ceil(PIECE) + 64);
+        Self { view, pieces, degenerate: false, angle: 0.0, worst: 0.0, before: [0.0; 3] }
     }
 
-    /// Boxes of the pieces of a chunk, and their segments' directions.
+    /// Boxes of the pieces of a chunk, and their segments' directions in the frame of the view.
     #[inline(always)]
-    fn box_in(&mut self, p: &[[Lanes; PIECE + 1]; 3], count: usize) -> [Units; PIECE] {
-        let View { u, v, d } = self.view;
+    fn box_in(
+        &mut self,
+        p: &[[Lanes; PIECE + 1]; 3],
+        units: &[Units; PIECE],
+        count: usize,
+        blur: f64,
+    ) -> [Units; PIECE] {
+        let View { u, v, .. } = self.view;
         let mut low = [[f64::INFINITY; WIDTH]; 2];
         let mut high = [[f64::NEG_INFINITY; WIDTH]; 2];
         for step in 0..=PIECE {
@@ -193,20 +249,17 @@ impl<'a> Gauge<'a> {
                 high[1][lane] = most(high[1][lane], y);
             }
         }
-        let mut units = [[[0.0; WIDTH]; 3]; PIECE];
-        // least and greatest part along x, y, x + y and x − y
+        let mut seen = [[[0.0; WIDTH]; 3]; PIECE];
+        // least and greatest part along x, y, x + y and x − y; no number past the end, which is passed over
         let mut run = [[[f64::INFINITY; WIDTH]; 4], [[f64::NEG_INFINITY; WIDTH]; 4]];
         for step in 0..PIECE {
             for lane in 0..WIDTH {
-                let e = [0, 1, 2].map(|k| p[k][step + 1][lane] - p[k][step][lane]);
-                let (x, y, z) = (dot(u, e), dot(v, e), dot(d, e));
-                let inverse = 1.0 / (x * x + y * y + z * z).sqrt();
-                let (x, y, z) = (x * inverse, y * inverse, z * inverse);
-                units[step][0][lane] = x;
-                units[step][1][lane] = y;
-                units[step][2][lane] = z;
+                let q = [units[step][0][lane], units[step][1][lane], units[step][2][lane]];
+                let [x, y, z] = self.view.seen(q);
+                seen[step][0][lane] = x;
+                seen[step][1][lane] = y;
+                seen[step][2][lane] = z;
                 for (k, way) in [x, y, x + y, x - y].into_iter().enumerate() {
-                    // no number past the end, and min and max pass over it
                     run[0][k][lane] = least(run[0][k][lane], way);
                     run[1][k][lane] = most(run[1][k][lane], way);
                 }
@@ -219,20 +272,20 @@ impl<'a> Gauge<'a> {
                 ways |= u8::from(run[1][k][lane] < -SURE) << (k + 4);
             }
             self.pieces.push(Piece {
-                low: [low[0][lane] - self.blur, low[1][lane] - self.blur],
-                high: [high[0][lane] + self.blur, high[1][lane] + self.blur],
+                low: [low[0][lane] - blur, low[1][lane] - blur],
+                high: [high[0][lane] + blur, high[1][lane] + blur],
                 ways,
             });
         }
-        units
+        seen
     }
 
     /// Adds up the turns of d at the corners of a chunk: at the beginning of each of its segments.
     #[inline(always)]
-    fn turn(&mut self, units: &[Units; PIECE], before: Vector, start: usize, count: usize) -> Vector {
+    fn turn(&mut self, units: &[Units; PIECE], points: &[Vector], start: usize, count: usize) {
         let mut first = [[0.0; WIDTH]; 3];
         for k in 0..3 {
-            first[k][0] = before[k];
+            first[k][0] = self.before[k];
             for lane in 1..WIDTH {
                 first[k][lane] = units[PIECE - 1][k][lane - 1];
             }
@@ -269,26 +322,22 @@ impl<'a> Gauge<'a> {
                 let from = if step == 0 { &first } else { &units[step - 1] };
                 let a = [from[0][lane], from[1][lane], from[2][lane]];
                 let b = [units[step][0][lane], units[step][1][lane], units[step][2][lane]];
-                self.turn_at(start + at, a, b, re[step][lane], im[step][lane]);
+                self.turn_at(points, start + at, a, b, re[step][lane], im[step][lane]);
             }
         }
         let (step, lane) = ((count - 1) % PIECE, (count - 1) / PIECE);
-        [units[step][0][lane], units[step][1][lane], units[step][2][lane]]
+        self.before = [units[step][0][lane], units[step][1][lane], units[step][2][lane]];
     }
 
     /// One corner by itself.
-    fn turn_at(&mut self, point: usize, a: Vector, b: Vector, re: f64, mut im: f64) {
+    fn turn_at(&mut self, points: &[Vector], point: usize, a: Vector, b: Vector, re: f64, mut im: f64) {
         let across = (a[0] * a[0] + a[1] * a[1]).max(b[0] * b[0] + b[1] * b[1]);
         self.worst += across.sqrt() / re.abs().max(im.abs());
         if !(re > 64.0 * f64::EPSILON) {
             // the shadow turns back: which way round is as exact as the crossings next to it
-            let n = self.points.len();
-            let side = super::orientation::turn(
-                self.points[(point + n - 1) % n],
-                self.points[point],
-                self.points[(point + 1) % n],
-                self.view.d,
-            );
+            let n = points.len();
+            let [before, after] = [points[(point + n - 1) % n], points[(point + 1) % n]];
+            let side = super::orientation::turn(before, points[point], after, self.view.d);
             if side == 0 || im == 0.0 {
                 self.degenerate = true;
             }
@@ -306,6 +355,19 @@ fn corner(a: Vector, b: Vector) -> (f64, f64, f64) {
     let along = a[0] * b[0] + a[1] * b[1];
     let side = a[0] * b[1] - a[1] * b[0];
     (along * (1.0 + a[2] * b[2]) + aa * bb, side * (a[2] + b[2]), most(aa, bb))
+}
+
+/// The greatest coordinate, either sign; eight side by side, for a chain of comparisons waits on itself.
+pub(crate) fn reach_of(points: &[Vector]) -> f64 {
+    let mut reach = [0.0; 24];
+    let chunks = points.chunks_exact(8);
+    let rest = chunks.remainder();
+    for chunk in chunks {
+        for (k, x) in chunk.as_flattened().iter().enumerate() {
+            reach[k] = most(reach[k], x.abs());
+        }
+    }
+    rest.iter().flatten().map(|x| x.abs()).chain(reach).fold(0.0, most)
 }
 
 /// The lesser, and x where y is no number.

@@ -10,31 +10,37 @@ pub(crate) struct View {
     pub(crate) d: Vector,
 }
 
+impl View {
+    /// A vector in the frame of the view.
+    #[inline(always)]
+    pub(crate) fn seen(&self, a: Vector) -> Vector {
+        [dot(self.u, a), dot(self.v, a), dot(self.d, a)]
+    }
+}
+
 /// How far the views are turned from across the flattest side of a curve: towards its length and towards its breadth. Plain numbers
 /// of no pattern, so that what is regular in a curve does not meet what is regular in them.
-const TILTS: [[f64; 2]; 10] = [
-    [0.057_31, 0.213_77],
-    [-0.083_19, -0.331_43],
-    [0.129_07, 0.711_29],
-    [-0.171_53, -0.947_71],
-    [0.311_87, 0.097_23],
-    [-0.441_01, 0.517_39],
-    [0.613_57, -0.373_91],
-    [-0.877_13, -0.134_69],
-    [1.219_93, 0.823_81],
-    [-1.733_21, 1.391_17],
+const TILTS: [[[f64; 2]; 2]; 5] = [
+    [[0.057_31, 0.213_77], [-0.083_19, -0.331_43]],
+    [[0.129_07, 0.711_29], [-0.171_53, -0.947_71]],
+    [[0.311_87, 0.097_23], [-0.441_01, 0.517_39]],
+    [[0.613_57, -0.373_91], [-0.877_13, -0.134_69]],
+    [[1.219_93, 0.823_81], [-1.733_21, 1.391_17]],
 ];
 
 /// Points that are looked at for the choice of directions.
 const SAMPLE: usize = 512;
 
 /// Views of curves, the best guess first: across their length and, if they are flat, on to the flat side, where they are seen to cross least.
-pub(crate) fn views(points: &[&[Vector]]) -> [View; TILTS.len()] {
+/// They come in pairs.
+pub(crate) fn views(points: &[&[Vector]]) -> [[View; 2]; TILTS.len()] {
     let [long, broad, flat] = principal_axes(points);
-    TILTS.map(|[along, across]| {
-        let d = unit(add(flat, add(times(along, long), times(across, broad))));
-        let u = unit(sub(long, times(dot(long, d), d)));
-        View { u, v: cross(d, u), d }
+    TILTS.map(|pair| {
+        pair.map(|[along, across]| {
+            let d = unit(add(flat, add(times(along, long), times(across, broad))));
+            let u = unit(sub(long, times(dot(long, d), d)));
+            View { u, v: cross(d, u), d }
+        })
     })
 }
 

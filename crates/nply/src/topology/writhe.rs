@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use super::closure_point::closures;
-use super::crossing::{Blind, Crossings, Seen, self_crossings};
+use super::crossing::{Blind, Crossings, self_crossings};
 use super::segments::half_solid_angle_with_bound;
 use super::shadow::look;
 use super::view::{View, views};
@@ -52,15 +52,15 @@ impl Curve {
     }
 }
 
-/// What one direction shows.
+/// What one direction tells.
 #[derive(Clone, Copy)]
-struct Sight {
+struct Value {
     crossings: Crossings,
     value: f64,
     bound: f64,
 }
 
-impl Sight {
+impl Value {
     /// Both together: the mean.
     fn with(self, other: Self) -> Writhe {
         Writhe {
@@ -70,36 +70,36 @@ impl Sight {
             crossings: [self.crossings.count, other.crossings.count],
         }
     }
-
-    /// A closed polygon seen along one direction.
-    fn of(points: &[Vector], view: View) -> Result<Self, Blind> {
-        let (shadow, twist) = look::<true>(points, points.len(), view).ok_or(Blind::Degenerate)?;
-        let crossings = self_crossings(Seen { points, segments: points.len(), shadow: &shadow }, view)?;
-        Ok(Self { crossings, value: crossings.signed as f64 - twist.turns, bound: twist.bound })
-    }
 }
 
-/// The first two directions that show something.
-fn two_sights(mut sights: impl Iterator<Item = Result<Sight, Blind>>) -> Result<Writhe, CurveError> {
-    let mut next = || {
-        for sight in sights.by_ref() {
-            match sight {
-                Ok(sight) => return Ok(sight),
-                Err(Blind::Degenerate) => {}
-                Err(Blind::Touch(error)) => return Err(error),
-            }
+/// A closed polygon along two directions.
+fn along(points: &[Vector], views: [View; 2]) -> [Result<Value, Blind>; 2] {
+    look::<true>(points, points.len(), views).map(|sight| {
+        let sight = sight.clear().ok_or(Blind::Degenerate)?;
+        let (crossings, twist) = (self_crossings(points, &sight)?, sight.twist);
+        Ok(Value { crossings, value: crossings.signed as f64 - twist.turns, bound: twist.bound })
+    })
+}
+
+/// The first two directions that tell something.
+fn first_two(values: impl Iterator<Item = Result<Value, Blind>>) -> Result<Writhe, CurveError> {
+    let mut first: Option<Value> = None;
+    for value in values {
+        match (value, first) {
+            (Ok(value), None) => first = Some(value),
+            (Ok(value), Some(first)) => return Ok(first.with(value)),
+            (Err(Blind::Degenerate), _) => {}
+            (Err(Blind::Touch(error)), _) => return Err(error),
         }
-        Err(CurveError::Undecided)
-    };
-    let first = next()?;
-    Ok(first.with(next()?))
+    }
+    Err(CurveError::Undecided)
 }
 
 fn closed(points: &[Vector]) -> Result<Writhe, CurveError> {
-    two_sights(views(&[points]).into_iter().map(|view| Sight::of(points, view)))
+    first_two(views(&[points]).into_iter().flat_map(|views| along(points, views)))
 }
 
-/// An open polygon is closed over a point outside, another one for each direction; what the two segments add is summed and taken off.
+/// An open polygon is closed over a point outside; what the two segments add is summed and taken off. Once more over another point.
 fn open(points: &[Vector]) -> Result<Writhe, CurveError> {
     let (first, last) = (points[0], points[points.len() - 1]);
     if points.len() > 3 && first.iter().zip(last).all(|(x, y)| *x == y) {
@@ -109,9 +109,11 @@ fn open(points: &[Vector]) -> Result<Writhe, CurveError> {
     let mut round = points.to_vec();
     round.push(first);
     let own = points.len() - 1;
-    two_sights(views(&[points]).into_iter().zip(closures(points)).map(|(view, apex)| {
+    let views = views(&[points]);
+    first_two(closures(points).into_iter().enumerate().map(|(k, apex)| {
         round[own + 1] = apex;
-        let mut sight = Sight::of(&round, view).map_err(|blind| match blind {
+        let [one, other] = along(&round, views[k % views.len()]);
+        let mut value = one.or(other).map_err(|blind| match blind {
             // a closing segment that touches is badly chosen, no more
             Blind::Touch(CurveError::Touch { segments, .. }) if segments.iter().any(|&k| k >= own) => Blind::Degenerate,
             other => other,
@@ -126,8 +128,8 @@ fn open(points: &[Vector]) -> Result<Writhe, CurveError> {
                 }
             }
         }
-        sight.value -= sum / PI;
-        sight.bound += (bound + points.len() as f64 * f64::EPSILON * sum.abs()) / PI;
-        Ok(sight)
+        value.value -= sum / PI;
+        value.bound += (bound + points.len() as f64 * f64::EPSILON * sum.abs()) / PI;
+        Ok(value)
     }))
 }
