@@ -3,26 +3,22 @@
 //! Signs are those of the integral (A.4): a crossing is positive where it is right-handed, so that a right-handed trefoil has positive
 //! writhe, and a right-handed plectoneme, whose strands run in opposite directions, negative writhe.
 
-mod chord;
-mod closed_ply;
+mod closure_point;
+mod crossing;
 mod curve;
 mod error;
 mod extension;
 mod linking;
-mod periods;
-mod piece;
-mod ply_link;
-mod ply_writhe;
+mod orientation;
+mod ply;
 mod segments;
-mod tail;
+mod shadow;
+mod view;
 mod writhe;
 
-pub use closed_ply::ClosedPly;
 pub use curve::Curve;
 pub use error::CurveError;
 pub use extension::Along;
 pub use linking::{LinkingIntegral, LinkingNumber, linking_integral, linking_matrix, linking_number};
-pub use piece::{Part, Piece};
-pub use ply_link::PlyLink;
-pub use ply_writhe::{Contribution, PlyWrithe};
+pub use ply::{ClosedPly, Contribution, Part, Piece, PlyLink, PlyWrithe};
 pub use writhe::Writhe;

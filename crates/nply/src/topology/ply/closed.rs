@@ -19,7 +19,7 @@ const MOST_POINTS: f64 = 1e9;
 /// through the insert, a helix of less than one turn of the same angle, hand and radius; a semicircle, a straight line beside the ply and a
 /// semicircle below it, all in one plane through the axis, lead back to strand 0. No end section crosses another one or a strand.
 ///
-#[doc = include_str!("../equations/eqA01.md")]
+#[doc = include_str!("../../equations/eqA01.md")]
 ///
 /// Lengths are in units of r.
 ///

@@ -109,27 +109,27 @@ impl PlyWrithe {
 
     /// W_r^s: a strand with itself, both orders of its points.
     ///
-    #[doc = include_str!("../equations/eqA05.md")]
+    #[doc = include_str!("../../equations/eqA05.md")]
     ///
-    #[doc = include_str!("../equations/eqA06.md")]
+    #[doc = include_str!("../../equations/eqA06.md")]
     ///
-    #[doc = include_str!("../equations/eqA07.md")]
+    #[doc = include_str!("../../equations/eqA07.md")]
     ///
-    #[doc = include_str!("../equations/eqA08.md")]
+    #[doc = include_str!("../../equations/eqA08.md")]
     ///
-    #[doc = include_str!("../equations/eqA09.md")]
+    #[doc = include_str!("../../equations/eqA09.md")]
     ///
-    #[doc = include_str!("../equations/eqA10.md")]
+    #[doc = include_str!("../../equations/eqA10.md")]
     ///
-    #[doc = include_str!("../equations/eqA11.md")]
+    #[doc = include_str!("../../equations/eqA11.md")]
     ///
-    #[doc = include_str!("../equations/eqA12.md")]
+    #[doc = include_str!("../../equations/eqA12.md")]
     ///
-    #[doc = include_str!("../equations/eqA13.md")]
+    #[doc = include_str!("../../equations/eqA13.md")]
     ///
-    #[doc = include_str!("../equations/eqA14.md")]
+    #[doc = include_str!("../../equations/eqA14.md")]
     ///
-    #[doc = include_str!("../equations/eqA15.md")]
+    #[doc = include_str!("../../equations/eqA15.md")]
     #[must_use]
     pub fn itself(&self) -> Contribution {
         self.contributions[0]
@@ -137,21 +137,21 @@ impl PlyWrithe {
 
     /// W_r^{α+}, α = 2πi/n: a strand with the one `places` on, i taken modulo n, run the same way; 0 places is the strand itself.
     ///
-    #[doc = include_str!("../equations/eqA16.md")]
+    #[doc = include_str!("../../equations/eqA16.md")]
     ///
-    #[doc = include_str!("../equations/eqA17.md")]
+    #[doc = include_str!("../../equations/eqA17.md")]
     ///
-    #[doc = include_str!("../equations/eqA18.md")]
+    #[doc = include_str!("../../equations/eqA18.md")]
     ///
-    #[doc = include_str!("../equations/eqA19.md")]
+    #[doc = include_str!("../../equations/eqA19.md")]
     ///
-    #[doc = include_str!("../equations/eqA20.md")]
+    #[doc = include_str!("../../equations/eqA20.md")]
     ///
-    #[doc = include_str!("../equations/eqA21.md")]
+    #[doc = include_str!("../../equations/eqA21.md")]
     ///
-    #[doc = include_str!("../equations/eqA22.md")]
+    #[doc = include_str!("../../equations/eqA22.md")]
     ///
-    #[doc = include_str!("../equations/eqA23.md")]
+    #[doc = include_str!("../../equations/eqA23.md")]
     #[must_use]
     pub fn pair(&self, places: u32) -> Contribution {
         let places = places % self.strands;
@@ -161,7 +161,7 @@ impl PlyWrithe {
     /// The entry of Tables I and II in a row and a column, counted from 0: strands run forwards and backwards by turns, as they do
     /// when one centreline goes through all of them. Rows and columns are taken modulo n.
     ///
-    #[doc = include_str!("../equations/eqA24.md")]
+    #[doc = include_str!("../../equations/eqA24.md")]
     #[must_use]
     pub fn entry(&self, row: u32, column: u32) -> Contribution {
         let (row, column) = (row % self.strands, column % self.strands);
@@ -171,11 +171,11 @@ impl PlyWrithe {
 
     /// The sum of all n² entries: what (A.25)–(A.27) give in the limit of a long ply, and the rest.
     ///
-    #[doc = include_str!("../equations/eqA25.md")]
+    #[doc = include_str!("../../equations/eqA25.md")]
     ///
-    #[doc = include_str!("../equations/eqA26.md")]
+    #[doc = include_str!("../../equations/eqA26.md")]
     ///
-    #[doc = include_str!("../equations/eqA27.md")]
+    #[doc = include_str!("../../equations/eqA27.md")]
     #[must_use]
     pub fn total(&self) -> Contribution {
         let n = f64::from(self.strands);

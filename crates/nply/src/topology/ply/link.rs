@@ -7,7 +7,7 @@ use crate::DomainError;
 
 /// Where the link of a ply is, in turns, all strands together: `link` = `strand_twist` + `closure_twist` + `writhe`.
 ///
-#[doc = include_str!("../equations/eqA28.md")]
+#[doc = include_str!("../../equations/eqA28.md")]
 ///
 /// The writhe is that of the strands at their very length. End sections, insert and closure add what does not grow with the length;
 /// [`ClosedPly`](super::ClosedPly) is a curve to ask for it.
@@ -41,7 +41,7 @@ pub struct PlyLink {
 }
 
 impl PlyLink {
-    #[doc = include_str!("../equations/eqA31.md")]
+    #[doc = include_str!("../../equations/eqA31.md")]
     ///
     /// `end_rotation` is φ̄ in rad.
     ///
@@ -58,9 +58,9 @@ impl PlyLink {
 
     /// The same link in strands that have wound up into a ply: what writhe and closure take, the strands' twist gives.
     ///
-    #[doc = include_str!("../equations/eqA29.md")]
+    #[doc = include_str!("../../equations/eqA29.md")]
     ///
-    #[doc = include_str!("../equations/eqA30.md")]
+    #[doc = include_str!("../../equations/eqA30.md")]
     ///
     /// # Errors
     /// [`DomainError`] on `strands` if the ply has another number of them.
@@ -80,7 +80,7 @@ impl PlyLink {
         Ok(Self { strand_twist, closure_twist, writhe, ..*self })
     }
 
-    #[doc = include_str!("../equations/eqA32.md")]
+    #[doc = include_str!("../../equations/eqA32.md")]
     ///
     /// Here at any length: 2πT_w/n, the twist of each strand over its whole length L, in rad: u₃L. It differs from (A.32) times L
     /// by −2π/n times the remainder of the writhe.
