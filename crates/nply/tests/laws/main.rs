@@ -4,9 +4,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod closed_ply;
 mod equilibrium;
 mod geometry;
 mod holding;
+mod ply_writhe;
 mod refusal;
 mod section;
 mod separation;
