@@ -92,15 +92,15 @@ impl Chord {
     #[inline(always)]
     fn cosine(&self, u: f64, s: f64) -> f64 {
         let (across, along) = (self.sin * s, self.cos * u);
-        along / libm::sqrt(across * across + along * along)
+        along / (across * across + along * along).sqrt()
     }
 
     /// C − cos θ for α = 0, where s/u → 1.
     fn excess(&self, u: f64, s: f64) -> f64 {
-        let lack = if u < 3.0 { one_minus_sinc(0.5 * u) } else { 1.0 - s / u };
+        let lack = if u < 0.5 { near_zero(0.25 * u * u) } else { 1.0 - s / u };
         let sinc = 1.0 - lack;
         let (across, along) = (self.sin * sinc, self.cos);
-        let distance = libm::sqrt(across * across + along * along);
+        let distance = (across * across + along * along).sqrt();
         along * self.sin * self.sin * lack * (1.0 + sinc) / (distance * (1.0 + distance))
     }
 
@@ -109,15 +109,16 @@ impl Chord {
     pub(super) fn clearance(&self, panel: &Panel, periods: f64) -> Option<Clearance> {
         let (reach, y) = (ALONG * panel.half, ACROSS * panel.half);
         let phase = panel.centre - self.alpha;
-        let eta = (libm::fabs(phase - TAU * libm::rint(phase / TAU)) - reach).max(0.0);
+        let turns = (phase / TAU + f64::copysign(0.5, phase)) as i64;
+        let eta = ((phase - TAU * turns as f64).abs() - reach).max(0.0);
         let centre = panel.centre + periods;
         let x = (centre - reach).max(0.0);
-        let sine = if eta > 0.0 { libm::sin(0.5 * eta) } else { 0.0 };
+        let (sine, _) = quadrant::sincos(0.5 * eta);
         let cos_eta = 1.0 - 2.0 * sine * sine;
-        let swell = if cos_eta > 0.0 { libm::sinh(0.5 * y) } else { 0.0 };
+        let swell = if cos_eta > 0.0 { sinh_above(0.5 * y) } else { 0.0 };
         let least = 4.0 * self.sin * self.sin * (sine * sine - cos_eta * swell * swell)
             + self.cos * self.cos * (x - y) * (x + y);
-        (least > 0.0).then(|| Clearance { least: libm::sqrt(least), most: centre + reach + y })
+        (least > 0.0).then(|| Clearance { least: least.sqrt(), most: centre + reach + y })
     }
 
     /// The same for α = 0, where D has a double zero at u = 0 that C has not: for |Re u| ≤ π/2 Re (4 sin²(u/2)/u²) =
@@ -128,8 +129,22 @@ impl Chord {
             return self.clearance(panel, 0.0);
         }
         let across = self.sin * (1.0 - one_minus_sinc(0.5 * x));
-        Some(Clearance { least: libm::sqrt(across * across + self.cos * self.cos), most: 1.0 })
+        Some(Clearance { least: (across * across + self.cos * self.cos).sqrt(), most: 1.0 })
     }
+}
+
+/// 1 − sin z/z from y = z² ≤ 1/16, by Taylor's series.
+#[inline]
+fn near_zero(y: f64) -> f64 {
+    const LAST: f64 = 1.0 / 6_227_020_800.0;
+    y * (1.0 / 6.0
+        - y * (1.0 / 120.0 - y * (1.0 / 5_040.0 - y * (1.0 / 362_880.0 - y * (1.0 / 39_916_800.0 - y * LAST)))))
+}
+
+/// At least sinh t, for 0 ≤ t ≤ 1.2.
+#[inline]
+fn sinh_above(t: f64) -> f64 {
+    t + t * t * t * (1.0 / 6.0 + t * t / 115.0)
 }
 
 /// A stretch of lags, at most one period.

@@ -66,7 +66,7 @@ struct Ladder {
 
 impl Ladder {
     fn new(q: f64, u: f64) -> Self {
-        let root = libm::sqrt(q * q + u * u);
+        let root = (q * q + u * u).sqrt();
         let (x, inverse) = (-u / root, 1.0 / root);
         let share = q * inverse;
         let mut rest = 0.5 * x;

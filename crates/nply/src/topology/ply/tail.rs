@@ -5,10 +5,31 @@
 
 use super::chord::Bounded;
 
-/// Most powers (s tan θ/u)².
-const POWERS: usize = 16;
-/// Greatest ratio 2 tan θ/U for which those powers are enough: what is left out is below 1e-16.
+/// Most powers (s tan θ/u)², and most harmonics.
+const POWERS: usize = 15;
+/// Greatest ratio 2 tan θ/U for which those powers are enough: what is left out is below 1e-15.
 const STEEPEST: f64 = 1.0 / 3.0;
+/// (2j over j + m): row j, column m, both from 0.
+const BINOMIALS: [[f64; POWERS + 1]; POWERS + 1] = binomials();
+
+const fn binomials() -> [[f64; POWERS + 1]; POWERS + 1] {
+    let mut table = [[0.0; POWERS + 1]; POWERS + 1];
+    table[0][0] = 1.0;
+    let mut j = 1;
+    while j <= POWERS {
+        let mut m = 0;
+        while m <= j {
+            // Pascal's rule twice; the row above is even in m
+            let above = table[j - 1];
+            let left = if m == 0 { above[1] } else { above[m - 1] };
+            let right = if m < POWERS { above[m + 1] } else { 0.0 };
+            table[j][m] = left + 2.0 * above[m] + right;
+            m += 1;
+        }
+        j += 1;
+    }
+    table
+}
 
 /// Aₘ(U), m = 0, 1, …
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +37,47 @@ pub(super) struct Tail {
     harmonics: [f64; POWERS + 1],
     count: usize,
     bound: f64,
+}
+
+/// Jₚ Uᵖ exp(−imU) for every m, with Jₚ = ∫ exp(imu) u⁻ᵖ du from U to ∞: i ∫ exp(−my) (1 + iy/U)⁻ᵖ dy from 0.
+///
+/// By parts Jₚ = (i/m) exp(imU) U⁻ᵖ − (ip/m) Jₚ₊₁, from a p where the two terms are nearly as great, downwards.
+struct Ladder {
+    re: [f64; POWERS + 1],
+    im: [f64; POWERS + 1],
+    /// bound on their errors
+    lost: [f64; POWERS + 1],
+    /// 1/m and 1/mU
+    step: [f64; POWERS + 1],
+    ratio: [f64; POWERS + 1],
+}
+
+impl Ladder {
+    const TOP: usize = 2 * POWERS;
+
+    /// At the top as if it changed no more with p, by which it changes less than 1/m²U.
+    fn new(lag: f64) -> Self {
+        let (mut re, mut im, mut lost) = ([0.0; POWERS + 1], [0.0; POWERS + 1], [0.0; POWERS + 1]);
+        let (mut step, mut ratio) = ([0.0; POWERS + 1], [0.0; POWERS + 1]);
+        for m in 1..=POWERS {
+            step[m] = 1.0 / m as f64;
+            ratio[m] = step[m] / lag;
+            let q = Self::TOP as f64 * ratio[m];
+            let square = 1.0 + q * q;
+            (re[m], im[m]) = (step[m] * q / square, step[m] / square);
+            lost[m] = step[m] * ratio[m] * q / square.sqrt();
+        }
+        Self { re, im, lost, step, ratio }
+    }
+
+    /// From p + 1 to p.
+    fn down(&mut self, p: f64) {
+        for m in 0..=POWERS {
+            let q = p * self.ratio[m];
+            (self.re[m], self.im[m]) = (q * self.im[m], self.step[m] - q * self.re[m]);
+            self.lost[m] *= q;
+        }
+    }
 }
 
 impl Tail {
@@ -41,52 +103,33 @@ impl Tail {
         }
         let left_out = if count < POWERS { 1e-17 } else { next(term, 1.0 + POWERS as f64).abs() * power * 4.0 };
         let mut tail = Self { harmonics: [0.0; POWERS + 1], count, bound: 2.0 * left_out };
-        let mut binomial = 1.0;
-        for (j, term) in terms.iter().enumerate().take(count + 1).skip(1) {
-            let j = j as f64;
-            binomial *= 2.0 * (2.0 * j - 1.0) / j; // (2j over j)
-            tail.harmonics[0] -= term * binomial * lag / (2.0 * j - 1.0);
+        // Aₘ = −2 (−1)ᵐ Re Σⱼ (−½ over j) tan²ʲθ (2j over j + m) J₂ⱼ, and half of it for m = 0, where J₂ⱼ = U¹⁻²ʲ/(2j − 1)
+        let (mut re, mut im) = ([0.0; POWERS + 1], [0.0; POWERS + 1]);
+        let mut ladder = Ladder::new(lag);
+        for j in (1..=POWERS).rev() {
+            if j < POWERS {
+                ladder.down(2.0 * j as f64 + 1.0);
+                ladder.down(2.0 * j as f64);
+            }
+            if j > count {
+                continue;
+            }
+            tail.harmonics[0] -= terms[j] * BINOMIALS[j][0] * lag / (2.0 * j as f64 - 1.0);
+            for m in 1..=POWERS {
+                let weight = terms[j] * BINOMIALS[j][m];
+                re[m] += weight * ladder.re[m];
+                im[m] += weight * ladder.im[m];
+                tail.bound += 4.0 * weight.abs() * ladder.lost[m];
+            }
         }
         let (sin, cos) = libm::sincos(lag);
         let mut turn = (1.0, 0.0); // exp(imU)
-        let mut sign = 1.0;
         for m in 1..=count {
             turn = (turn.0 * cos - turn.1 * sin, turn.0 * sin + turn.1 * cos);
-            sign = -sign;
-            tail.harmonics[m] = -2.0 * sign * tail.harmonic(m, lag, turn, &terms);
+            let sign = if m % 2 == 0 { -2.0 } else { 2.0 };
+            tail.harmonics[m] = sign * (turn.0 * re[m] - turn.1 * im[m]);
         }
         tail
-    }
-
-    /// Re Σⱼ (−½ over j) tan²ʲθ (2j over j + m) Jₚ, p = 2j, with Jₚ = ∫ exp(imu) u⁻ᵖ du from U to ∞: by parts Jₚ = (i/m) exp(imU) U⁻ᵖ − (ip/m) Jₚ₊₁,
-    /// from a p where the two terms would grow equal, downwards.
-    fn harmonic(&mut self, m: usize, lag: f64, turn: (f64, f64), terms: &[f64; POWERS + 1]) -> f64 {
-        let step = 1.0 / m as f64;
-        let far = (m as f64 * lag).min(36.0) as usize;
-        let start = far.max(2 * self.count);
-        // kappa = Jₚ Uᵖ exp(−imU) = i ∫ exp(−my) (1 + iy/U)⁻ᵖ dy; at the start as if it changed no more with p, by which it changes less than 1/m²U
-        let q = start as f64 * step / lag;
-        let mut kappa = (step * q / (1.0 + q * q), step / (1.0 + q * q));
-        let mut lost = step * step / lag * q / libm::sqrt(1.0 + q * q); // bound on its error, passed on
-        let mut weights = [0.0; POWERS + 1];
-        let mut binomial = 1.0;
-        for j in m..=self.count {
-            weights[j] = terms[j] * binomial;
-            let (j, m) = (j as f64, m as f64);
-            binomial *= (2.0 * j + 1.0) * (2.0 * j + 2.0) / ((j + 1.0 + m) * (j + 1.0 - m));
-        }
-        let mut sum = (0.0, 0.0);
-        for p in (2 * m..start).rev() {
-            let q = p as f64 * step / lag;
-            kappa = (q * kappa.1, step - q * kappa.0);
-            lost *= q;
-            if p % 2 == 0 && p / 2 <= self.count {
-                sum.0 += weights[p / 2] * kappa.0;
-                sum.1 += weights[p / 2] * kappa.1;
-                self.bound += 4.0 * weights[p / 2].abs() * lost;
-            }
-        }
-        turn.0 * sum.0 - turn.1 * sum.1
     }
 
     /// ∫ (1 − C_α) + (1 − C₋α) du from U to ∞.
