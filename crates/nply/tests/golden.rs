@@ -166,3 +166,25 @@ fn strand_writhe() {
         }
     }
 }
+
+/// Digits enough to hold every answer against its own bound.
+#[test]
+fn strand_writhe_remainders() {
+    for row in table("strand_writhe_more") {
+        let (places, strands) = match row.text("alpha_over_2pi") {
+            "0" => (0, 1),
+            share => share.split_once('/').map(|(i, n)| (i.parse().unwrap(), n.parse().unwrap())).unwrap(),
+        };
+        let degrees = row.number("theta_deg");
+        let angle = if degrees <= 45.0 {
+            HelicalAngle::new(degrees.to_radians()).unwrap()
+        } else {
+            HelicalAngle::from_pitch_angle(complement(degrees).to_radians()).unwrap()
+        };
+        let got = PlyWrithe::new(strands, angle, Handedness::Right, row.number("turns")).unwrap().pair(places);
+        let error = (got.remainder - row.number("remainder")).abs();
+        // the angle is rounded to a double
+        assert!(error <= got.error_bound + 4e-16 * angle.tan(), "{degrees} {places}/{strands}: {error:e} {got:?}");
+        assert!(error < 2e-14 && got.error_bound < 1e-11, "{degrees} {places}/{strands}: {error:e} {got:?}");
+    }
+}
