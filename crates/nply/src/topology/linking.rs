@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::closure_point::{CLOSURES, closures};
 use super::crossing::{Blind, Crossings, mutual_crossings};
-use super::segments::half_solid_angle_with_bound;
+use super::segments::AngleSum;
 use super::shadow::look;
 use super::view::{View, views};
 use super::{Curve, CurveError};
@@ -79,7 +79,7 @@ fn count(a: &[Vector], b: &[Vector], views: [View; 2]) -> [Result<Crossings, Bli
 
 /// The Gauss integral of two curves, closed or open: the double integral (A.4) with one curve as r(s), the other as r(t).
 ///
-/// Open curves are closed by two segments each; the linking number of the closed ones is counted, and what those segments add is summed and
+/// Open curves are closed by three segments each; the linking number of the closed ones is counted, and what those segments add is summed and
 /// taken off.
 ///
 /// ```
@@ -110,16 +110,22 @@ pub fn linking_integral(one: &Curve, other: &Curve) -> Result<LinkingIntegral, C
                 if first.signed != second.signed {
                     return Err(CurveError::Undecided);
                 }
-                let mut sum = Sum::default();
-                sum.add(&a, one.segments(), &y.segments);
-                sum.add(&b, other.segments(), &x.segments);
+                let mut sum = AngleSum::default();
+                for (curve, points, closing) in [(one, &a, y), (other, &b, x)] {
+                    for &segment in &closing.segments {
+                        sum.rows(points, segment);
+                        if curve.is_closed() {
+                            sum.pair([points[points.len() - 1], points[0]], segment);
+                        }
+                    }
+                }
                 for &p in &x.segments {
                     for &q in &y.segments {
                         sum.pair(p, q);
                     }
                 }
                 let value = 0.5 * first.signed as f64 - sum.angle / TAU;
-                let bound = (sum.bound + (a.len() + b.len()) as f64 * f64::EPSILON * sum.greatest) / TAU;
+                let bound = sum.bound() / TAU;
                 return Ok(LinkingIntegral { value, bound });
             }
         }
@@ -127,9 +133,9 @@ pub fn linking_integral(one: &Curve, other: &Curve) -> Result<LinkingIntegral, C
     Err(CurveError::Undecided)
 }
 
-/// How an open curve is closed: over a point outside.
+/// How an open curve is closed: over two points outside.
 struct Closing {
-    apex: Option<Vector>,
+    over: Vec<Vector>,
     segments: Vec<[Vector; 2]>,
 }
 
@@ -137,40 +143,15 @@ impl Closing {
     /// Some ways, the best first; none is needed for a closed curve.
     fn of(points: &[Vector], closed: bool) -> Vec<Self> {
         if closed {
-            return vec![Self { apex: None, segments: Vec::new() }];
+            return vec![Self { over: Vec::new(), segments: Vec::new() }];
         }
         let (first, last) = (points[0], points[points.len() - 1]);
-        let over = |apex| Self { apex: Some(apex), segments: vec![[last, apex], [apex, first]] };
+        let over = |[p, q]: [Vector; 2]| Self { over: vec![p, q], segments: vec![[last, p], [p, q], [q, first]] };
         closures(points).into_iter().map(over).collect()
     }
 
     fn closed(&self, points: &[Vector]) -> Vec<Vector> {
-        points.iter().copied().chain(self.apex).collect()
-    }
-}
-
-/// Half solid angles, added up.
-#[derive(Default)]
-struct Sum {
-    angle: f64,
-    greatest: f64,
-    bound: f64,
-}
-
-impl Sum {
-    fn add(&mut self, points: &[Vector], segments: usize, others: &[[Vector; 2]]) {
-        for &other in others {
-            for k in 0..segments {
-                self.pair([points[k], points[if k + 1 < points.len() { k + 1 } else { 0 }]], other);
-            }
-        }
-    }
-
-    fn pair(&mut self, one: [Vector; 2], other: [Vector; 2]) {
-        let (angle, bound) = half_solid_angle_with_bound(one, other);
-        self.angle += angle;
-        self.bound += bound;
-        self.greatest = self.greatest.max(self.angle.abs());
+        [points, &self.over].concat()
     }
 }
 

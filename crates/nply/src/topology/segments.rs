@@ -22,6 +22,38 @@ pub(crate) fn half_solid_angle_with_bound(one: [Vector; 2], other: [Vector; 2]) 
     (angle, 8.0 * f64::EPSILON * (share + angle.abs()))
 }
 
+/// Half solid angles, added up.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct AngleSum {
+    pub(crate) angle: f64,
+    errors: f64,
+    /// of the sum so far, and how often it was added to
+    greatest: f64,
+    count: u64,
+}
+
+impl AngleSum {
+    /// All segments of a polygon, given by its points, with one other.
+    pub(crate) fn rows(&mut self, points: &[Vector], other: [Vector; 2]) {
+        for ends in points.windows(2) {
+            self.pair([ends[0], ends[1]], other);
+        }
+    }
+
+    pub(crate) fn pair(&mut self, one: [Vector; 2], other: [Vector; 2]) {
+        let (angle, bound) = half_solid_angle_with_bound(one, other);
+        self.angle += angle;
+        self.errors += bound;
+        self.greatest = self.greatest.max(self.angle.abs());
+        self.count += 1;
+    }
+
+    /// What rounding can have done to the sum, to first order.
+    pub(crate) fn bound(&self) -> f64 {
+        self.errors + self.count as f64 * f64::EPSILON * self.greatest
+    }
+}
+
 /// Numerator and denominators of the two tangents.
 struct Tangents {
     det: f64,

@@ -4,11 +4,12 @@ use core::f64::consts::PI;
 
 use super::closure_point::closures;
 use super::crossing::{Blind, Crossings, self_crossings};
-use super::segments::half_solid_angle_with_bound;
+use super::segments::AngleSum;
 use super::shadow::look;
 use super::view::{View, views};
 use super::{Curve, CurveError};
 use crate::geometry::Vector;
+use crate::numerics::vector::{norm, sub};
 
 /// The writhe of a curve, with a bound for its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +33,7 @@ impl Curve {
     /// Wr = (crossings seen along d, right-handed less left-handed) − (turns of the constant vector d about the curve)
     /// ```
     ///
-    /// (Klenin & Langowski, Biopolymers 54 (2000) 307, method 2a). An open curve is closed by two segments, whose own share is then taken off
+    /// (Klenin & Langowski, Biopolymers 54 (2000) 307, method 2a). An open curve is closed by three segments, whose own share is then taken off
     /// again. All is done along two directions; the two values must agree, and the mean is given.
     ///
     /// ```
@@ -99,37 +100,33 @@ fn closed(points: &[Vector]) -> Result<Writhe, CurveError> {
     first_two(views(&[points]).into_iter().flat_map(|views| along(points, views)))
 }
 
-/// An open polygon is closed over a point outside; what the two segments add is summed and taken off. Once more over another point.
+/// An open polygon is closed over two points outside; what the three segments add is summed and taken off. Once more over other points.
 fn open(points: &[Vector]) -> Result<Writhe, CurveError> {
     let (first, last) = (points[0], points[points.len() - 1]);
-    if points.len() > 3 && first.iter().zip(last).all(|(x, y)| *x == y) {
+    if points.len() > 3 && norm(sub(first, last)) <= 0.0 {
         // its ends meet: the same segments as those of a closed curve
         return closed(&points[..points.len() - 1]);
     }
     let mut round = points.to_vec();
-    round.push(first);
+    round.extend([first, last]);
     let own = points.len() - 1;
     let views = views(&[points]);
-    first_two(closures(points).into_iter().enumerate().map(|(k, apex)| {
-        round[own + 1] = apex;
+    first_two(closures(points).into_iter().enumerate().map(|(k, [p, q])| {
+        (round[own + 1], round[own + 2]) = (p, q);
         let [one, other] = along(&round, views[k % views.len()]);
         let mut value = one.or(other).map_err(|blind| match blind {
             // a closing segment that touches is badly chosen, no more
             Blind::Touch(CurveError::Touch { segments, .. }) if segments.iter().any(|&k| k >= own) => Blind::Degenerate,
             other => other,
         })?;
-        let (mut sum, mut bound) = (0.0, 0.0);
-        for (k, ends) in points.windows(2).enumerate() {
-            for (closing, neighbour) in [([last, apex], own - 1), ([apex, first], 0)] {
-                if k != neighbour {
-                    let (angle, error) = half_solid_angle_with_bound([ends[0], ends[1]], closing);
-                    sum += angle;
-                    bound += error;
-                }
-            }
-        }
-        value.value -= sum / PI;
-        value.bound += (bound + points.len() as f64 * f64::EPSILON * sum.abs()) / PI;
+        let mut sum = AngleSum::default();
+        sum.pair([last, p], [q, first]);
+        // less each one's neighbour
+        sum.rows(&points[..own], [last, p]);
+        sum.rows(points, [p, q]);
+        sum.rows(&points[1..], [q, first]);
+        value.value -= sum.angle / PI;
+        value.bound += sum.bound() / PI;
         Ok(value)
     }))
 }
