@@ -26,6 +26,8 @@ const BERNOULLI: [f64; 12] = [
 ];
 /// The least period from which the formula's terms fall far enough.
 pub(super) const FIRST: f64 = 5.0;
+/// Periods that are summed one by one in the time which the formula takes.
+pub(super) const WORTHWHILE: f64 = 15.0;
 
 impl Chord {
     /// ∫ C du from the period `first` ≥ [`FIRST`] up to, not including, the period `last` for every chord, added to `sums`.
@@ -77,6 +79,9 @@ impl Ladder {
         for bernoulli in BERNOULLI {
             last = bernoulli * scale * even;
             rest += last;
+            if last.abs() < 1e-18 {
+                break; // at the far end soon
+            }
             scale *= inverse * inverse;
             even = ((2.0 * n + 1.0) * x * odd - (n - 1.0) * even) / (n + 2.0);
             odd = ((2.0 * n + 3.0) * x * even - n * odd) / (n + 3.0);

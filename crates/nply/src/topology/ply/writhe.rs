@@ -3,13 +3,10 @@
 use core::f64::consts::{PI, TAU};
 
 use super::chord::{Bounded, Chord};
-use super::periods::FIRST;
+use super::periods::{FIRST, WORTHWHILE};
 use super::tail::Tail;
 use crate::geometry::{Contact, HelicalAngle};
 use crate::{DomainError, Handedness};
-
-/// Lag up to which panels are taken where the tail falls fast: four turns; else [`FIRST`] turns.
-const NEAR: f64 = 4.0 * TAU;
 
 /// What one pair of strands, or a strand with itself, adds to the writhe double integral (A.4), in turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +34,7 @@ pub struct Contribution {
 /// vanishes in the complex plane; beyond, by the harmonics of 1 − C; whole periods of flat strands by Euler and Maclaurin.
 ///
 /// Any length, any angle 0 ≤ θ < π/2, any n ≥ 1. Accuracy: `error_bound`, below 1e-11 turns up to θ = 89°; flatter strands
-/// lose digits as tan θ times 1e-15.
+/// lose digits: a bound of tan θ times 1e-13.
 ///
 /// ```
 /// use nply::Handedness::Right;
@@ -190,7 +187,7 @@ impl PlyWrithe {
             total.error_bound += pair.error_bound;
         }
         total.leading = self.handedness.sign() * self.turns * (sigma - n * self.angle.cos());
-        if self.turns * TAU > NEAR {
+        if self.turns > 4.0 {
             total.writhe = total.leading + total.remainder;
         }
         total
@@ -212,33 +209,28 @@ impl Contribution {
 struct Lag {
     angle: HelicalAngle,
     turns: f64,
-    /// Ψ = |ψ_L|
-    most: f64,
-    /// whole periods that are summed as such, from [`FIRST`] on
-    periods: f64,
-    /// from and to where the tail is taken
-    tails: Option<[Tail; 2]>,
-    /// where panels end, and, past the periods, where those of a ply without a tail begin again
+    /// panels go up to `near` and from `rest` to `summed`, rad; between them the periods from [`FIRST`] to `periods` are summed as such
     near: f64,
+    periods: f64,
     rest: f64,
+    summed: f64,
+    /// the tails from `summed` and from Ψ = |ψ_L| on, where `summed` is not Ψ itself
+    tails: Option<[Tail; 2]>,
 }
 
 impl Lag {
     fn new(angle: HelicalAngle, turns: f64) -> Self {
         let (tan, most) = (angle.tan(), TAU * turns);
         let least = Tail::least_lag(tan);
-        let near = if least <= 0.6 * NEAR { NEAR } else { TAU * FIRST };
-        if most <= near {
-            return Self { angle, turns, most, periods: 0.0, tails: None, near: most, rest: most };
+        // whole turns up to where the tail begins, four of them at least, or five if it falls slowly there
+        let whole = libm::ceil(least / TAU).max(if least < 0.6 * 4.0 * TAU { 4.0 } else { 5.0 });
+        let tails = (turns >= whole).then(|| [Tail::new(tan, TAU * whole), Tail::new(tan, most)]);
+        let summed = if tails.is_some() { TAU * whole } else { most };
+        let last = libm::floor(turns.min(whole));
+        if last - FIRST < WORTHWHILE {
+            return Self { angle, turns, near: summed, periods: FIRST, rest: summed, summed, tails };
         }
-        let whole = libm::ceil(least / TAU).max(libm::rint(near / TAU));
-        if turns >= whole {
-            let tails = Some([Tail::new(tan, TAU * whole), Tail::new(tan, most)]);
-            Self { angle, turns, most, periods: whole, tails, near, rest: most }
-        } else {
-            let periods = libm::floor(turns);
-            Self { angle, turns, most, periods, tails: None, near, rest: TAU * periods }
-        }
+        Self { angle, turns, near: TAU * FIRST, periods: last, rest: TAU * last, summed, tails }
     }
 
     /// Of a strand with itself, and with those 1, 2, … ⌊n/2⌋ places on; `eps` is the hand.
@@ -253,11 +245,11 @@ impl Lag {
         let mut sums = vec![Bounded::default(); chords.len()];
         Chord::integrals(&chords, 0.0, self.near, &mut sums);
         Chord::periods(&chords, FIRST, self.periods, &mut sums);
-        Chord::integrals(&chords, self.rest, self.most, &mut sums);
+        Chord::integrals(&chords, self.rest, self.summed, &mut sums);
 
         let cos = self.angle.cos();
         let rise = self.angle.sin() * self.angle.sin() / (1.0 + cos); // 1 − cos θ
-        sums[0].value -= cos * TAU * (self.periods - FIRST).max(0.0); // periods take C for all, panels C − cos θ for α = 0
+        sums[0].value -= cos * TAU * (self.periods - FIRST); // periods take C for all, panels C − cos θ for α = 0
         let mut contributions = Vec::with_capacity(alphas.len() + 1);
         contributions.push(self.contribution(rise, [sums[0], sums[0]], 1.0).times(eps));
         for (pair, alpha) in sums[1..].chunks(2).zip(alphas) {
@@ -270,9 +262,8 @@ impl Lag {
     /// From both signs' integrals; the leading term is `rate` times the turns.
     fn contribution(&self, rate: f64, [one, other]: [Bounded; 2], cos_alpha: f64) -> Contribution {
         let (share, sum) = (0.25 / PI, one.value + other.value);
-        let (summed, mut bound) =
-            (if self.tails.is_some() { TAU * self.periods } else { self.most }, one.bound + other.bound);
-        let mut rest = sum - 2.0 * rate * summed;
+        let mut rest = sum - 2.0 * rate * self.summed;
+        let mut bound = one.bound + other.bound;
         if let Some([from, to]) = &self.tails {
             let (from, to) = (from.pair(cos_alpha), to.pair(cos_alpha));
             rest += to.value - from.value;
