@@ -59,6 +59,28 @@ fn one_curve_with_a_continuous_tangent() {
     }
 }
 
+/// The closure lies in one plane through the axis, outside the ply.
+#[test]
+fn the_closure_is_planar() {
+    for n in [1, 3, 5, 7] {
+        for hand in Handedness::BOTH {
+            let curve = closed(n, 0.6, hand, 2.8);
+            let closure: Vec<_> = curve.pieces().iter().filter(|p| p.part() == Part::Closure).collect();
+            let [x, y, _] = closure[1].at(0.0)[0];
+            for piece in &closure {
+                for i in 0..=20 {
+                    let [position, tangent] = piece.at(piece.length() * f64::from(i) / 20.0);
+                    let off = (position[0] * y - position[1] * x) / x.hypot(y);
+                    let askew = (tangent[0] * y - tangent[1] * x) / x.hypot(y);
+                    assert!(off.abs() < 1e-12 && askew.abs() < 1e-12, "n = {n}: {off} {askew}");
+                }
+            }
+            let insert = curve.pieces().iter().find(|p| p.part() == Part::Insert).unwrap();
+            assert!(insert.curvature() > 0.0 && insert.length() > 0.0);
+        }
+    }
+}
+
 /// Strands touch at a distance of two radii; nothing comes nearer to what is not next to it along the curve than that, or than a bend does to itself.
 #[test]
 fn no_part_meets_another() {
@@ -158,6 +180,8 @@ fn refusals() {
     };
     assert_eq!(of(0, 0.5, 1.0, 1.0).unwrap_err(), "strands");
     assert_eq!(of(3, 0.0, 1.0, 1.0).unwrap_err(), "helical_angle");
+    assert_eq!(of(u32::MAX, 0.5, 1.0, 1.0).unwrap_err(), "strands");
+    assert_eq!(of(1, 1e-300, 1.0, 1.0).unwrap_err(), "helical_angle");
     assert!(of(2, 0.0, 1.0, 1.0).is_ok() && of(1, 0.0, 1.0, 1.0).is_ok());
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(of(3, 0.5, bad, 1.0).unwrap_err(), "radius_ratio");

@@ -126,6 +126,7 @@ fn refusals() {
     for turns in [-1.0, f64::NAN, f64::INFINITY, 2e15] {
         assert_eq!(PlyWrithe::new(2, angle, Right, turns).unwrap_err().quantity, "turns");
     }
+    assert_eq!(PlyWrithe::new(u32::MAX, angle, Right, 1.0).unwrap_err().quantity, "strands");
     assert_eq!(PlyWrithe::new(0, angle, Right, 1.0).unwrap_err().quantity, "strands");
     assert_eq!(PlyLink::straight(2, f64::NAN).unwrap_err().quantity, "end_rotation");
     let other = PlyLink::straight(3, 1.0).unwrap().wound(&ply(2, 0.5, 1.0));

@@ -246,6 +246,11 @@ fn eqa28_to_eqa32() {
             let lacks = after.twist_of_a_strand() / length - u3 + TAU * rest / (count * length);
             assert!(lacks.abs() < 1e-13, "(A.32): {lacks}");
             assert!((state.strand_twist() - u3).abs() < 1e-10, "(45)");
+            let per_length = (after.writhe.leading + after.closure_twist) / length;
+            assert!(
+                (state.link().writhe - per_length).abs() < 1e-13,
+                "what mechanics calls writhe has the closure's twist in it"
+            );
         }
     }
 }

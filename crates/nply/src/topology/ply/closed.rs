@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use super::check_strands;
 use super::piece::{Helix, Part, Piece, bend};
 use crate::geometry::{Contact, HelicalAngle, Vector};
 use crate::numerics::vector::{norm, sub, times};
@@ -51,8 +52,8 @@ impl ClosedPly {
     /// need not touch: writhe does not ask.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands` if it is 0, on `radius_ratio` and `strand_length` unless they are greater than 0 and at most 1e15, and on
-    /// the helical angle where its cosine is below 1e-15, or where it is 0 for three strands, or five, …: no insert lines the closure up with straight strands.
+    /// [`DomainError`] on `strands` if it is 0 or above a million, on `radius_ratio` unless it is between 1e-15 and 1e15, on
+    /// `strand_length` unless it is greater than 0, at most 1e15 and no more than 1e9 turns, and on the helical angle where its cosine is below 1e-15, or its sine for an odd number of strands: no insert lines a closure up with straight strands.
     pub fn new(
         strands: u32,
         angle: HelicalAngle,
@@ -60,16 +61,18 @@ impl ClosedPly {
         radius_ratio: f64,
         strand_length: f64,
     ) -> Result<Self, DomainError> {
-        let positive = |value: f64| value > 0.0 && value <= 1e15;
-        let allowed = "greater than 0 and at most 1e15";
-        DomainError::check(strands >= 1, "strands", f64::from(strands), "a whole number of at least 1")?;
-        DomainError::check(positive(radius_ratio), "radius_ratio", radius_ratio, allowed)?;
-        DomainError::check(positive(strand_length), "strand_length", strand_length, allowed)?;
+        check_strands(strands)?;
+        let radii = 1e-15..=1e15;
+        DomainError::check(radii.contains(&radius_ratio), "radius_ratio", radius_ratio, "between 1e-15 and 1e15")?;
+        let long = strand_length > 0.0 && strand_length <= 1e15;
+        let few_turns = strand_length * angle.sin() <= TAU * radius_ratio * 1e9;
+        let allowed = "greater than 0, at most 1e15 and no more than 1e9 turns";
+        DomainError::check(long && few_turns, "strand_length", strand_length, allowed)?;
         let flat = "less than pi/2 by at least 1e-15";
         DomainError::check(angle.cos() >= 1e-15, "helical_angle", angle.radians(), flat)?;
-        let wound = angle.sin() > 0.0 || strands.is_multiple_of(2) || strands == 1;
-        let straight = "greater than 0 for an odd number of strands, whose closure needs an insert that turns";
-        DomainError::check(wound, "helical_angle", angle.radians(), straight)?;
+        let aligned = strands.is_multiple_of(2) || angle.sin() >= 1e-15 || (strands == 1 && angle.radians() == 0.0);
+        let straight = "at least 1e-15 for an odd number of strands, whose closure needs an insert that turns (or 0 for one strand)";
+        DomainError::check(aligned, "helical_angle", angle.radians(), straight)?;
         let mut track = Track::new(strands, angle, handedness, radius_ratio, strand_length);
         track.run();
         let mut starts = Vec::with_capacity(track.pieces.len());

@@ -2,14 +2,15 @@
 
 use core::f64::consts::TAU;
 
-use super::{Contribution, PlyWrithe};
+use super::{Contribution, PlyWrithe, check_strands};
 use crate::DomainError;
 
 /// Where the link of a ply is, in turns, all strands together: `link` = `strand_twist` + `closure_twist` + `writhe`.
 ///
 #[doc = include_str!("../../equations/eqA28.md")]
 ///
-/// The writhe is that of the strands at their very length. End sections, insert and closure add what does not grow with the length;
+/// Per strand length of a long ply, for a state in equilibrium: [`Equilibrium::link`](crate::mechanics::Equilibrium::link). Here at any length,
+/// from geometry alone: the writhe is that of the strands at their very length. End sections, insert and closure add what does not grow with the length;
 /// [`ClosedPly`](super::ClosedPly) is a curve to ask for it.
 ///
 /// ```
@@ -46,9 +47,9 @@ impl PlyLink {
     /// `end_rotation` is φ̄ in rad.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands` if it is 0, and on `end_rotation` unless it is finite and not beyond 1e15.
+    /// [`DomainError`] on `strands` if it is 0 or above a million, and on `end_rotation` unless it is finite and not beyond 1e15.
     pub fn straight(strands: u32, end_rotation: f64) -> Result<Self, DomainError> {
-        DomainError::check(strands >= 1, "strands", f64::from(strands), "a whole number of at least 1")?;
+        check_strands(strands)?;
         let within = (-1e15..=1e15).contains(&end_rotation);
         DomainError::check(within, "end_rotation", end_rotation, "between -1e15 and 1e15")?;
         let link = f64::from(strands) * end_rotation / TAU;

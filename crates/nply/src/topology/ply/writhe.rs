@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use super::check_strands;
 use super::chord::{Bounded, Chord};
 use super::periods::{FIRST, WORTHWHILE};
 use super::tail::Tail;
@@ -60,10 +61,10 @@ impl PlyWrithe {
     /// From the number of strands n ≥ 1, the helical angle, the hand and the turns |ψ_L|/2π of each strand round the axis.
     ///
     /// # Errors
-    /// [`DomainError`] on `strands` if it is 0, and on `turns` unless it is at least 0 and at most 1e15, beyond which a double does not tell
+    /// [`DomainError`] on `strands` if it is 0 or above a million, and on `turns` unless it is at least 0 and at most 1e15, beyond which a double does not tell
     /// where in its turn the ply ends.
     pub fn new(strands: u32, angle: HelicalAngle, handedness: Handedness, turns: f64) -> Result<Self, DomainError> {
-        DomainError::check(strands >= 1, "strands", f64::from(strands), "a whole number of at least 1")?;
+        check_strands(strands)?;
         DomainError::check((0.0..=1e15).contains(&turns), "turns", turns, "at least 0 and at most 1e15")?;
         let contributions = Lag::new(angle, turns).contributions(strands, handedness.sign());
         Ok(Self { strands, angle, handedness, turns, contributions })
