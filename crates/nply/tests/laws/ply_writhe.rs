@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nply::Handedness::{Left, Right};
-use nply::geometry::HelicalAngle;
-use nply::topology::{PlyLink, PlyWrithe};
+use nply::geometry::{Centreline, Contact, HelicalAngle};
+use nply::topology::{Curve, PlyLink, PlyWrithe, linking_integral};
 use proptest::prelude::*;
 
 use crate::config;
@@ -116,6 +116,31 @@ fn both_ends_of_the_angle() {
                     "{got:?}"
                 );
             }
+        }
+    }
+}
+
+/// The strands themselves as open polygons, by crossings: the very integral (A.4), without its reduction.
+#[test]
+fn polygons_through_the_strands() {
+    for (n, theta, turns, hand) in
+        [(2, 0.3, 6.4, Right), (3, 0.8, 1.3, Left), (5, 1.25, 2.7, Right), (6, 0.7, 9.1, Left)]
+    {
+        let contact = Contact::new(n, theta).unwrap();
+        let length = TAU * turns * contact.radius_ratio() / theta.sin();
+        let strand = |i: u32, segments: u32| {
+            let line = Centreline::new(&contact, hand, i);
+            let at = |k: u32| line.position(length * f64::from(k) / f64::from(segments));
+            Curve::open((0..=segments).map(at).collect()).unwrap()
+        };
+        // errors as the square of the segments' length
+        let refined = |of: &dyn Fn(u32) -> f64| (4.0 * of(4000) - of(2000)) / 3.0;
+        let ply = PlyWrithe::of_ply(&contact, hand, length).unwrap();
+        let itself = refined(&|segments| strand(0, segments).writhe().unwrap().value);
+        assert!((itself - ply.itself().writhe).abs() < 1e-7, "n = {n}: {itself} {:?}", ply.itself());
+        for i in 1..n {
+            let pair = refined(&|s| linking_integral(&strand(0, s), &strand(i, s)).unwrap().value);
+            assert!((pair - ply.pair(i).writhe).abs() < 1e-7, "n = {n}, {i}: {pair} {:?}", ply.pair(i));
         }
     }
 }
