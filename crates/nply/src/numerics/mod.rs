@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 pub(crate) mod columns;
 pub(crate) mod dual;
+pub(crate) mod gauss;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod jet2;
@@ -15,3 +16,4 @@ pub(crate) mod quadratic;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod vector;

@@ -5,10 +5,12 @@
 mod common;
 
 mod cable;
+mod closed_ply;
 mod equilibrium;
 mod extensible;
 mod geometry;
 mod holding;
+mod ply_writhe;
 mod refusal;
 mod section;
 mod separation;
