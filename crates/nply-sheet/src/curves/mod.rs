@@ -21,6 +21,7 @@ mod obj;
 mod pdb;
 mod rows;
 mod scalar;
+mod set;
 mod text;
 mod vtk;
 mod vtk_xml;
@@ -33,8 +34,10 @@ use nply::geometry::Vector;
 
 pub use error::{ReadError, Spot};
 pub use format::Format;
+pub use set::{Closing, CurveSet, Member};
 
-use text::{Source, counted};
+use text::Source;
+pub(crate) use text::counted;
 
 /// One curve as it was read: a polyline.
 #[derive(Clone, Debug, PartialEq)]

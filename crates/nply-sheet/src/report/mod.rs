@@ -1,7 +1,9 @@
 //! What a person reads out: one report, rendered as a table, as JSON or as CSV.
 
+mod clearance;
 mod column;
 mod csv;
+mod curve;
 mod item;
 mod json;
 mod lays;
@@ -18,6 +20,7 @@ mod verdict;
 use nply::Handedness;
 use nply::mechanics::{Balance, Ends, Equilibrium};
 
+pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
 pub use lays::LaysReport;
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
