@@ -58,13 +58,8 @@ pub enum CurveError {
         /// The two segments.
         segments: [usize; 2],
     },
-    /// Two segments pass too near to each other for rounding to tell on which side.
-    TooNear {
-        /// Which curve each belongs to: both 0 where a curve meets itself.
-        curves: [usize; 2],
-        /// The two segments.
-        segments: [usize; 2],
-    },
+    /// Along every direction that was tried an end of a segment is seen on another one, or all but so.
+    Undecided,
     /// Something is asked of an open curve that closed ones alone have.
     Open {
         /// Which curve.
@@ -141,10 +136,10 @@ impl fmt::Display for CurveError {
                 pair(out, curves, segments)?;
                 write!(out, " touch or cross: which passes the other on which side is not defined")
             }
-            Self::TooNear { curves, segments } => {
-                pair(out, curves, segments)?;
-                write!(out, " pass each other within rounding: which is on which side cannot be told")
-            }
+            Self::Undecided => write!(
+                out,
+                "along every direction that was tried an end of one segment is seen on another: crossings cannot be counted"
+            ),
             Self::Open { curve } => {
                 write!(out, "curve {curve} (counted from 0) is open: this is defined for closed curves alone")
             }
@@ -174,7 +169,6 @@ impl CurveError {
     pub fn of_curves(self, places: [usize; 2]) -> Self {
         match self {
             Self::Touch { curves, segments } => Self::Touch { curves: curves.map(|k| places[k]), segments },
-            Self::TooNear { curves, segments } => Self::TooNear { curves: curves.map(|k| places[k]), segments },
             Self::Open { curve } => Self::Open { curve: places[curve] },
             other => other,
         }

@@ -3,11 +3,16 @@
 //! Signs are those of the integral (A.4): a crossing is positive where it is right-handed, so that a right-handed trefoil has positive
 //! writhe, and a right-handed plectoneme, whose strands run in opposite directions, negative writhe.
 
+mod closure_point;
+mod crossing;
 mod curve;
 mod error;
 mod extension;
 mod linking;
+mod orientation;
 mod segments;
+mod shadow;
+mod view;
 mod writhe;
 
 pub use curve::Curve;
