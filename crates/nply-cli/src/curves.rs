@@ -6,7 +6,10 @@ use std::io::{self, Read as _};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
+use nply::topology::Along;
+use nply_sheet::Extension;
 use nply_sheet::curves::{Closing, CurveSet, Curves, Format};
+use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -85,6 +88,57 @@ fn load(file: impl io::Read) -> io::Result<Vec<u8>> {
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, "it is larger than 4 GiB"));
     }
     Ok(bytes)
+}
+
+/// `--extend` and `--extend-along`.
+pub(crate) fn with_extension(command: Command) -> Command {
+    command
+        .arg(
+            Arg::new("extend")
+                .long("extend")
+                .value_name("LENGTH")
+                .allow_hyphen_values(true)
+                .help("Prolong both ends of open curves by this length, straight")
+                .help_heading("Curves"),
+        )
+        .arg(
+            Arg::new("extend-along")
+                .long("extend-along")
+                .value_name("WHAT")
+                .value_parser(PossibleValuesParser::new(["tangents", "chord"]))
+                .requires("extend")
+                .help("Along their end segments (tangents, the default) or along the line through the ends (chord)")
+                .help_heading("Curves"),
+        )
+}
+
+/// What is to be done to the ends.
+pub(crate) fn extension(arguments: &ArgMatches, set: &CurveSet) -> Result<Option<Extension>, Failure> {
+    let Some(text) = arguments.get_one::<String>("extend") else { return Ok(None) };
+    let length = set.length("extend", text).map_err(|error| Failure::Refused(error, String::new()))?;
+    let chord = arguments.get_one::<String>("extend-along").is_some_and(|along| along == "chord");
+    Ok(Some(Extension { length, along: if chord { Along::Chord } else { Along::Tangents } }))
+}
+
+/// Pieces of work shared out among threads, a round at a time; between rounds the bar is moved and Ctrl-C is heard.
+pub(crate) fn each<T: Sync, R: Send>(
+    arguments: &ArgMatches,
+    all: &[T],
+    what: &str,
+    round: usize,
+    work: impl Fn(&T) -> Result<R, String> + Sync,
+) -> Result<Vec<R>, Failure> {
+    interrupt::prepare(arguments);
+    let bar = bar(arguments, all.len(), what);
+    let mut done = Vec::with_capacity(all.len());
+    for some in all.chunks(round) {
+        interrupt::check().inspect_err(|_| bar.finish_and_clear())?;
+        let found: Result<Vec<R>, String> = some.par_iter().map(&work).collect();
+        done.extend(found.inspect_err(|_| bar.finish_and_clear()).map_err(Failure::Premise)?);
+        bar.inc(some.len() as u64);
+    }
+    bar.finish_and_clear();
+    Ok(done)
 }
 
 /// A bar for so many steps of a kind, on a terminal and unless it is not wanted.

@@ -36,8 +36,8 @@ pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
-    AngleLine, COLUMNS, ClearanceReport, Column, Known, LaysReport, LocusReport, Measure, Reading, Report, Section,
-    ShapeReport, SpecialPoint, TraceReport, Walk,
+    AngleLine, COLUMNS, ClearanceReport, Column, Extension, Known, LaysReport, Link, LinkReport, LocusReport, Measure,
+    Reading, Report, Section, ShapeReport, SpecialPoint, TraceReport, Walk, WritheReport,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

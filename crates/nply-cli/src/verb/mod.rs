@@ -3,11 +3,13 @@
 mod clearance;
 mod contact;
 mod lays;
+mod link;
 mod locus;
 mod map;
 mod solve;
 mod support;
 mod trace;
+mod writhe;
 
 use clap::{ArgMatches, Command};
 
@@ -28,7 +30,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] = [
+static VERBS: [&Verb; 10] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -36,6 +38,8 @@ static VERBS: [&Verb; 8] = [
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
+    &writhe::VERB,
+    &link::VERB,
     &clearance::VERB,
 ];
 

@@ -31,6 +31,8 @@ pub struct Member {
     pub closed: bool,
     /// Its diameter, where the file has one.
     pub diameter: Option<f64>,
+    /// The line of its first point, in a text.
+    pub line: Option<usize>,
 }
 
 /// The curves of one or several files together.
@@ -55,11 +57,11 @@ impl Member {
             Closing::Closed => true,
             Closing::Open => false,
         };
-        let Polyline { mut points, diameter, .. } = polyline;
+        let Polyline { mut points, diameter, line, .. } = polyline;
         if let Some(ring) = ring.filter(|_| closed) {
             points.truncate(ring);
         }
-        Self { file: file.to_owned(), name, points, closed, diameter }
+        Self { file: file.to_owned(), name, points, closed, diameter, line }
     }
 
     /// How many segments it has.

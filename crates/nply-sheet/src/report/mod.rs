@@ -7,6 +7,7 @@ mod curve;
 mod item;
 mod json;
 mod lays;
+mod link;
 mod locus;
 mod locus_picture;
 mod margin;
@@ -16,18 +17,22 @@ mod support;
 mod text;
 mod trace;
 mod verdict;
+mod writhe;
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Ends, Equilibrium};
 
 pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
+pub use curve::Extension;
 pub use lays::LaysReport;
+pub use link::{Link, LinkReport};
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
 pub use shape::ShapeReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
+pub use writhe::WritheReport;
 
 pub(crate) use csv::unit_suffix;
 
