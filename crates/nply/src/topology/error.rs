@@ -69,6 +69,11 @@ pub enum CurveError {
     Closed,
     /// Both ends of an open curve stand in one place, so that no line runs through them.
     EndsMeet,
+    /// A segment runs across the axis of a polar writhe.
+    Level {
+        /// Which one.
+        segment: usize,
+    },
     /// A number that goes with the curve is outside its range.
     Domain(crate::DomainError),
     /// Vectors along a curve are not as many as its points or segments.
@@ -145,6 +150,10 @@ impl fmt::Display for CurveError {
             }
             Self::Closed => write!(out, "the curve is closed: it has no ends"),
             Self::EndsMeet => write!(out, "both ends of the curve stand in one place: no line runs through them"),
+            Self::Level { segment } => write!(
+                out,
+                "segment {segment} (counted from 0) runs across the axis, where a polar writhe has no height for it: turn the axis a little"
+            ),
             Self::Domain(error) => error.fmt(out),
             Self::FrameLength { vectors, needed } => {
                 write!(out, "{vectors} vectors go with a curve that takes {needed}")

@@ -10,8 +10,10 @@ mod error;
 mod extension;
 mod linking;
 mod orientation;
+mod polar_writhe;
 mod segments;
 mod shadow;
+mod twist;
 mod view;
 mod writhe;
 
@@ -19,4 +21,6 @@ pub use curve::Curve;
 pub use error::CurveError;
 pub use extension::Along;
 pub use linking::{LinkingIntegral, LinkingNumber, linking_integral, linking_matrix, linking_number};
+pub use polar_writhe::PolarWrithe;
+pub use twist::{Frame, Twist};
 pub use writhe::Writhe;

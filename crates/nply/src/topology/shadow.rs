@@ -1,7 +1,8 @@
 //! A curve as it is seen along a direction: boxes round its pieces, and the twist of the direction along it.
+#![allow(clippy::needless_range_loop, reason = "lanes and steps are places in several arrays at once")]
 
 use super::view::View;
-use crate::numerics::vector::{Vector, dot, sub, unit};
+use crate::numerics::vector::{Vector, cross, dot, norm, sub, unit};
 
 /// Segments of the least piece, and pieces that are worked out side by side.
 pub(crate) const PIECE: usize = 8;
@@ -330,17 +331,28 @@ impl Tally {
     }
 
     /// One corner by itself.
-    fn turn_at(&mut self, points: &[Vector], point: usize, a: Vector, b: Vector, re: f64, mut im: f64) {
-        let across = (a[0] * a[0] + a[1] * a[1]).max(b[0] * b[0] + b[1] * b[1]);
-        self.worst += across.sqrt() / re.abs().max(im.abs());
-        if !(re > 64.0 * f64::EPSILON) {
+    fn turn_at(&mut self, points: &[Vector], point: usize, a: Vector, b: Vector, re: f64, im: f64) {
+        let n = points.len();
+        let [before, at, after] = [points[(point + n - 1) % n], points[point], points[(point + 1) % n]];
+        let (mut re, mut im) = (re, im);
+        if dot(a, b) < -0.5 {
+            // a hairpin: its axis a × b decides, and has more digits formed from the points than from their directions
+            let (e, f) = (sub(at, before), sub(after, at));
+            let axis = cross(e, f);
+            let sin = norm(axis) / (norm(e) * norm(f));
+            let axis = unit(axis);
+            let d = self.view.d;
+            let (up, from, to) = (dot(d, axis), dot(d, cross(unit(e), axis)), dot(d, cross(unit(f), axis)));
+            (re, im) = (up * up + from * to, up * (to - from));
+            self.worst += (1.0 + 1.0 / sin) / re.abs().max(im.abs());
+        } else {
+            let across = (a[0] * a[0] + a[1] * a[1]).max(b[0] * b[0] + b[1] * b[1]);
+            self.worst += across.sqrt() / re.abs().max(im.abs());
+        }
+        if re <= 64.0 * f64::EPSILON {
             // the shadow turns back: which way round is as exact as the crossings next to it
-            let n = points.len();
-            let [before, after] = [points[(point + n - 1) % n], points[(point + 1) % n]];
-            let side = super::orientation::turn(before, points[point], after, self.view.d);
-            if side == 0 || im == 0.0 {
-                self.degenerate = true;
-            }
+            let side = super::orientation::turn(before, at, after, self.view.d);
+            self.degenerate |= side == 0;
             im = im.abs() * f64::from(side) * (a[2] + b[2]).signum();
         }
         self.angle += libm::atan2(im, re);

@@ -9,6 +9,7 @@ use super::shadow::look;
 use super::view::{View, views};
 use super::{Curve, CurveError};
 use crate::geometry::Vector;
+use crate::numerics::vector::{norm, sub};
 
 /// The writhe of a curve, with a bound for its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +103,7 @@ fn closed(points: &[Vector]) -> Result<Writhe, CurveError> {
 /// An open polygon is closed over two points outside; what the three segments add is summed and taken off. Once more over other points.
 fn open(points: &[Vector]) -> Result<Writhe, CurveError> {
     let (first, last) = (points[0], points[points.len() - 1]);
-    if points.len() > 3 && first.iter().zip(last).all(|(x, y)| *x == y) {
+    if points.len() > 3 && norm(sub(first, last)) <= 0.0 {
         // its ends meet: the same segments as those of a closed curve
         return closed(&points[..points.len() - 1]);
     }

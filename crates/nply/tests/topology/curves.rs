@@ -61,9 +61,14 @@ pub(crate) fn gauss([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
     if normals.iter().any(|n| norm(*n) == 0.0) {
         return 0.0;
     }
+    // in one plane: none, and rounding would make up normals
+    let volume = dot(cross(sub(d, c), sub(b, a)), ac);
+    if volume.abs() <= 1e-14 * norm(sub(d, c)) * norm(sub(b, a)) * norm(ac) {
+        return 0.0;
+    }
     let n = normals.map(|n| times(1.0 / norm(n), n));
     let angle: f64 = (0..4).map(|k| dot(n[k], n[(k + 1) % 4]).clamp(-1.0, 1.0).asin()).sum();
-    angle / (2.0 * TAU) * dot(cross(sub(d, c), sub(b, a)), ac).signum()
+    angle / (2.0 * TAU) * volume.signum()
 }
 
 /// The writhe, pair by pair.
@@ -84,4 +89,39 @@ pub(crate) fn link_by_pairs(one: &Curve, other: &Curve) -> f64 {
         .flat_map(|i| (0..other.segments()).map(move |j| (i, j)))
         .map(|(i, j)| gauss(one.segment(i), other.segment(j)))
         .sum()
+}
+
+/// A smooth closed curve of a few random harmonics, knotted often enough.
+pub(crate) fn harmonics(n: usize, seed: u64) -> Vec<Vector> {
+    let amplitudes = tangle(16, seed);
+    (0..n)
+        .map(|i| {
+            let t = TAU * i as f64 / n as f64;
+            [0, 1, 2].map(|k| {
+                (1..=4)
+                    .map(|m| {
+                        let [a, b] = [0, 1].map(|part| amplitudes[4 * part + m as usize - 1 + 8 * (k / 2)][k] - 0.5);
+                        let weight = 1.0 / f64::from(m);
+                        weight * (a * (f64::from(m) * t).cos() + b * (f64::from(m) * t).sin())
+                    })
+                    .sum()
+            })
+        })
+        .collect()
+}
+
+/// Turned about an axis through the origin by an angle, both drawn from a seed.
+pub(crate) fn turned(points: &[Vector], seed: u64) -> Vec<Vector> {
+    use crate::vector::{add, cross, dot, norm, times};
+    let [draw, ..] = tangle(1, seed)[..] else { unreachable!() };
+    let axis = [draw[0] - 0.5, draw[1] - 0.4, draw[2] + 0.1];
+    let axis = times(1.0 / norm(axis), axis);
+    let (sin, cos) = (TAU * draw[0] + 0.3).sin_cos();
+    let turn =
+        |&p: &Vector| add(add(times(cos, p), times(sin, cross(axis, p))), times((1.0 - cos) * dot(axis, p), axis));
+    points.iter().map(turn).collect()
+}
+
+pub(crate) fn mirrored(points: &[Vector]) -> Vec<Vector> {
+    points.iter().map(|&[x, y, z]| [x, y, -z]).collect()
 }

@@ -2,7 +2,18 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, clippy::float_cmp, clippy::panic)] // independent routes
 
 #[path = "../common/vector.rs"]
+#[allow(dead_code)]
 mod vector;
 
 mod curves;
+mod linking;
+mod polar_writhe;
+mod refusal;
+mod ribbon;
 mod writhe;
+
+use proptest::prelude::*;
+
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
+}
