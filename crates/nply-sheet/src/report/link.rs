@@ -43,7 +43,7 @@ pub enum Link {
 /// let mut report = LinkReport::new(set, None)?;
 /// report.links = report.pairs().map(|pair| report.link(pair)).collect::<Result<_, _>>()?;
 /// let json: serde_json::Value = serde_json::from_str(&report.json())?;
-/// assert_eq!(json["linking_numbers"], serde_json::json!([[0, -1], [-1, 0]]));
+/// assert_eq!(json["linking_numbers"], serde_json::json!([[0, 1], [1, 0]]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
