@@ -279,6 +279,32 @@ fn a_strand_laid_as_if_its_wires_stood_upright_overlaps() {
     assert_eq!(csv.lines().count(), 13, "{csv}");
 }
 
+/// A band round a circle, twisted three times: Lk = Tw + Wr; and the polar writhe of a closed curve, which is its writhe along any axis.
+#[test]
+fn twist_and_writhe_of_a_ribbon_make_its_link() {
+    let band = |turns: f64| {
+        let axis = sampled(90, |u| [4.0 * (TAU * u).cos(), 4.0 * (TAU * u).sin(), (2.0 * TAU * u).sin()]);
+        let edge = (0..90).map(|k| (TAU * f64::from(k) / 90.0, axis[k as usize])).map(|(t, [x, y, z])| {
+            let (up, out) = (turns * t).sin_cos();
+            [x + 0.3 * out * t.cos(), y + 0.3 * out * t.sin(), z - 0.3 * up]
+        });
+        [closed(axis.clone()), closed(edge.collect())]
+    };
+    for turns in [3, -2, 0] {
+        let path = file(&format!("band {turns}.txt"), &rows(&band(f64::from(turns))));
+        let report = json(&["writhe", &path, "--ribbon", "--axis", "0.3,-1,0.2", "--json"]);
+        assert_eq!(report["linking_number"], turns);
+        assert!((number(&report, "twist") + number(&report, "writhe") - f64::from(turns)).abs() < 1e-12);
+        assert!((number(&report, "twist_plus_writhe") - f64::from(turns)).abs() < 1e-12);
+        assert!((number(&report, "polar_writhe") - number(&report, "writhe")).abs() < 1e-11);
+        assert_eq!(report["curves"].as_array().unwrap().len(), 1);
+        assert_eq!(json(&["link", &path, "--json"])["linking_numbers"][0][1], turns);
+    }
+    let uneven = file("uneven.txt", "0 0 0\n1 0 0\n2 0 0\n\n0 1 0\n1 1 0\n");
+    let found = call(&["writhe", &uneven, "--ribbon"]);
+    assert!(found.code == 1 && found.err.contains("make no ribbon"), "{}", found.err);
+}
+
 #[test]
 fn closed_or_open_is_said() {
     let triangle = "0 0 0\n1 0 0\n0 1 0\n";
@@ -299,11 +325,7 @@ fn closed_or_open_is_said() {
     assert!(says(&ring, &[]).2.contains("the last point repeats the first"));
     assert_eq!((says(&ring, &["--closed"]).1, says(&ring, &["--open"]).1), (3, 4));
     let found = call_with(&["writhe", "-", "--format", "csv"], ring.as_bytes());
-    assert!(
-        found.out.starts_with("curve,file,points,closed,length,writhe,error_bound\n1,standard input,3,true,"),
-        "{}",
-        found.out
-    );
+    assert!(found.out.starts_with("curve,file,points,closed,length,writhe,error_bound,polar_writhe,"), "{}", found.out);
 }
 
 #[test]

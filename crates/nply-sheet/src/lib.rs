@@ -37,7 +37,7 @@ pub use preferred::PreferredUnits;
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
     AngleLine, COLUMNS, ClearanceReport, Column, Extension, Known, LaysReport, Link, LinkReport, LocusReport, Measure,
-    Reading, Report, Section, ShapeReport, SpecialPoint, TraceReport, Walk, WritheReport,
+    Reading, Report, Section, ShapeReport, SpecialPoint, TraceReport, Walk, WritheQuestion, WritheReport, Writhing,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

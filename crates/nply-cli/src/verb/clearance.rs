@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::Verb;
 use crate::arguments::{format, json};
-use crate::curves::{self, FILES, bar};
+use crate::curves::{self, bar};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::{self, Format};
@@ -32,7 +32,7 @@ const STRETCH: usize = 256;
 const ROUND: usize = 32;
 
 fn arguments(command: Command) -> Command {
-    let command = command.long_about(format!("{ABOUT}\n\n{FILES}"));
+    let command = command.long_about(curves::about(ABOUT));
     curves::with_files(command)
         .arg(
             Arg::new("diameter")

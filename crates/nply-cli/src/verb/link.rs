@@ -5,7 +5,7 @@ use nply_sheet::LinkReport;
 
 use super::Verb;
 use crate::arguments::{format, json};
-use crate::curves::{self, FILES};
+use crate::curves;
 use crate::failure::Failure;
 use crate::output::{self, Format};
 
@@ -20,7 +20,7 @@ pub(super) const VERB: Verb =
 const ROUND: usize = 256;
 
 fn arguments(command: Command) -> Command {
-    let command = command.long_about(format!("{ABOUT}\n\n{FILES}"));
+    let command = command.long_about(curves::about(ABOUT));
     curves::with_extension(curves::with_files(command)).arg(format()).arg(json())
 }
 

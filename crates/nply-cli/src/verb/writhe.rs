@@ -1,11 +1,11 @@
 //! `nply writhe`: the writhe of curves in files.
 
-use clap::{ArgMatches, Command};
-use nply_sheet::WritheReport;
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use nply_sheet::{WritheQuestion, WritheReport};
 
 use super::Verb;
 use crate::arguments::{format, json};
-use crate::curves::{self, FILES};
+use crate::curves;
 use crate::failure::Failure;
 use crate::output::{self, Format};
 
@@ -20,19 +20,48 @@ pub(super) const VERB: Verb =
 const ROUND: usize = 64;
 
 fn arguments(command: Command) -> Command {
-    let command = command.long_about(format!("{ABOUT}\n\n{FILES}"));
-    curves::with_extension(curves::with_files(command)).arg(format()).arg(json())
+    let command = command.long_about(curves::about(ABOUT));
+    curves::with_extension(curves::with_files(command))
+        .arg(
+            Arg::new("axis")
+                .long("axis")
+                .value_name("X,Y,Z")
+                .allow_hyphen_values(true)
+                .value_parser(vector)
+                .help("Print the polar writhe along this axis too (Berger & Prior 2006)"),
+        )
+        .arg(
+            Arg::new("ribbon")
+                .long("ribbon")
+                .action(ArgAction::SetTrue)
+                .conflicts_with("extend")
+                .help("Curves come in twos, a centreline and the edge of its ribbon: print its twist and link too"),
+        )
+        .arg(format())
+        .arg(json())
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let set = curves::read(arguments)?;
-    let extension = curves::extension(arguments, &set)?;
-    let mut report = WritheReport::new(set, extension).map_err(Failure::Premise)?;
+    let question = WritheQuestion {
+        extension: curves::extension(arguments, &set)?,
+        axis: arguments.get_one::<[f64; 3]>("axis").copied(),
+        ribbon: arguments.get_flag("ribbon"),
+    };
+    let mut report = WritheReport::new(set, question).map_err(Failure::Premise)?;
     let all: Vec<usize> = (0..report.len()).collect();
-    report.writhes = curves::each(arguments, &all, "curves", ROUND, |curve| report.writhe(*curve))?;
+    report.found = curves::each(arguments, &all, "curves", ROUND, |curve| report.writhing(*curve))?;
     output::write(&match Format::of(arguments) {
         Format::Table => report.text(true),
         Format::Json => report.json(),
         Format::Csv => report.csv(),
     })
+}
+
+/// Three finite numbers between commas.
+fn vector(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Vec<f64> =
+        text.split(',').map_while(|word| word.trim().parse().ok()).filter(|x: &f64| x.is_finite()).collect();
+    let wanted = || "three numbers between commas are wanted, such as 0,0,1".to_owned();
+    if text.split(',').count() == 3 { numbers.try_into().map_err(|_| wanted()) } else { Err(wanted()) }
 }

@@ -34,13 +34,13 @@ pub(super) fn theory(set: &CurveSet, extension: Option<Extension>) -> Result<Vec
             }
             Some(Extension { length, along }) => made.and_then(|curve| curve.extended(length, along)),
         };
-        made.map_err(|error| refusal(set, &error, [i, i]))
+        made.map_err(|error| refusal(set, extension, &error, [i, i]))
     };
     set.members.iter().enumerate().map(curve).collect()
 }
 
 /// What is wrong with one or two curves, by their names.
-pub(super) fn refusal(set: &CurveSet, error: &CurveError, curves: [usize; 2]) -> String {
+pub(super) fn refusal(set: &CurveSet, extension: Option<Extension>, error: &CurveError, curves: [usize; 2]) -> String {
     let [one, other] = curves.map(|i| &set.members[i]);
     let names = if curves[0] == curves[1] {
         format!("curve {}", quoted(&one.name))
@@ -51,7 +51,9 @@ pub(super) fn refusal(set: &CurveSet, error: &CurveError, curves: [usize; 2]) ->
         Some(line) if curves[0] == curves[1] => format!(" (from line {line})"),
         _ => String::new(),
     };
-    format!("{}: {names}{line}: {error}", one.file)
+    let counted = matches!(error, CurveError::Touch { .. } | CurveError::Level { .. }) && extension.is_some();
+    let first = if counted { "; the first prolongation is segment 0" } else { "" };
+    format!("{}: {names}{line}: {error}{first}", one.file)
 }
 
 /// Which curves were taken as closed, in a sentence.

@@ -88,7 +88,7 @@ impl LinkReport {
         } else {
             linking_integral(one, other).map(|link| Link::Integral { value: link.value, bound: link.bound })
         };
-        found.map_err(|error| refusal(&self.set, &error, pair))
+        found.map_err(|error| refusal(&self.set, self.extension, &error, pair))
     }
 
     fn at(&self, i: usize, j: usize) -> Option<&Link> {

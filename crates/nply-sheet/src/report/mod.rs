@@ -32,7 +32,7 @@ pub use measure::{Known, Measure, Reading};
 pub use shape::ShapeReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
-pub use writhe::WritheReport;
+pub use writhe::{WritheQuestion, WritheReport, Writhing};
 
 pub(crate) use csv::unit_suffix;
 
