@@ -3,6 +3,7 @@
 //! Signs are those of the integral (A.4): a crossing is positive where it is right-handed, so that a right-handed trefoil has positive
 //! writhe, and a right-handed plectoneme, whose strands run in opposite directions, negative writhe.
 
+mod average_crossing;
 mod closure_point;
 mod crossing;
 mod curve;
@@ -10,6 +11,7 @@ mod error;
 mod extension;
 mod linking;
 mod orientation;
+mod pair_kernel;
 mod polar_writhe;
 mod segments;
 mod shadow;
@@ -17,6 +19,7 @@ mod twist;
 mod view;
 mod writhe;
 
+pub use average_crossing::{AverageCrossings, CrossingShare};
 pub use curve::Curve;
 pub use error::CurveError;
 pub use extension::Along;

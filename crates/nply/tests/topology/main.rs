@@ -5,6 +5,7 @@
 #[allow(dead_code)]
 mod vector;
 
+mod average_crossing;
 mod curves;
 mod linking;
 mod polar_writhe;
