@@ -90,6 +90,10 @@ fn a_knot_has_its_writhe_and_its_mirror_image_the_opposite() {
     assert!((one + other).abs() < 1e-12, "{one} {other}");
     let expected = gauss(&trefoil(1.0));
     assert!((one - expected).abs() < 2e-3 * expected.abs(), "{one} {expected}");
+    // seen from anywhere, a knot crosses itself at least as often as its writhe says; the mirror image as often
+    let average =
+        |hand| number(&json(&["writhe", &knot(hand), "--average-crossings", "--json"]), "average_crossing_number");
+    assert!((average(1.0) - average(-1.0)).abs() < 1e-11 && average(1.0) >= one.abs() && average(1.0) < 5.0);
     // a trefoil that is nearly flat is seen with three crossings of one sign
     let flat: Points = trefoil(1.0).into_iter().map(|[x, y, z]| [x, y, 1e-3 * z]).collect();
     let flat = writhe(&file("flat.txt", &rows(&[closed(flat)])), &[]);

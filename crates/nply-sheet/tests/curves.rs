@@ -179,6 +179,17 @@ fn names_units_and_what_was_left_out_are_said() {
     assert_eq!(read("a.csv", b"x,y,z,radius\n0,0,0,2\n0,0,1,2\n").curves[0].diameter, Some(4.0));
 }
 
+/// Two curves that nothing stands between look like one: that is not passed over in silence.
+#[test]
+fn a_step_that_stands_out_is_pointed_out() {
+    let line = |from: f64| (0..9).map(|k| format!("{from} 0 {k}\n")).collect::<String>();
+    let joined = read("a.txt", (line(0.0) + &line(3.0)).as_bytes());
+    assert_eq!(joined.notes, ["Curve \"1\": the step behind point 9 is 9 times the usual one; are these two curves?"]);
+    assert!(read("a.txt", (line(0.0) + "\n" + &line(3.0)).as_bytes()).notes.is_empty());
+    let radii = read("a.csv", b"wire,node,x_r,y_r,z_r,radius_r\n1,0,0,0,0,1\n1,1,0,0,1,1\n");
+    assert_eq!((radii.unit.as_deref(), radii.curves[0].diameter), (Some("r"), Some(2.0)));
+}
+
 #[test]
 fn arrays_in_every_order_are_the_same() {
     let at = |fortran: bool| -> Vec<f64> {

@@ -298,6 +298,9 @@ impl Layout {
 /// A column's name in small letters, and its unit of length: `x [mm]`, `x (mm)` and `x_mm` are x in mm.
 fn head(name: &str) -> (String, Option<String>) {
     let length = |text: &str| {
+        if text == "r" {
+            return Some(text.to_owned()); // strand radii
+        }
         let unit = Unit::parse(text).ok().filter(|unit| unit.dimension() == Dimension::LENGTH)?;
         Some(unit.to_string())
     };

@@ -3,7 +3,9 @@
 use core::fmt::Write as _;
 
 use nply::geometry::Vector;
-use nply::topology::{Curve, CurveError, Frame, PolarWrithe, Twist, Writhe, linking_number};
+use nply::topology::{
+    AverageCrossings, CrossingShare, Curve, CurveError, Frame, PolarWrithe, Twist, Writhe, linking_number,
+};
 use serde_json::{Map, Value, json};
 
 use super::curve::{Extension, closed, closing_note, described, extension_json, extension_note, refusal, theory};
@@ -36,6 +38,8 @@ pub struct Writhing {
     pub twist: Option<Twist>,
     /// How often the edge of a closed ribbon runs round it: twist + writhe, but counted.
     pub link: Option<i64>,
+    /// How often it is seen to cross itself, as a mean over all directions, where that is wanted.
+    pub average_crossings: Option<CrossingShare>,
 }
 
 /// Curves, and the writhe of each.
@@ -125,7 +129,13 @@ impl WritheReport {
                 link = Some(linking_number(curve, edge).map_err(both)?.value);
             }
         }
-        Ok(Writhing { writhe: curve.writhe().map_err(refused)?, polar, twist, link })
+        Ok(Writhing { writhe: curve.writhe().map_err(refused)?, polar, twist, link, average_crossings: None })
+    }
+
+    /// The work for the average crossing number of one of them, a sum over all pairs of segments that a door may share out.
+    #[must_use]
+    pub fn average_crossings(&self, number: usize) -> AverageCrossings {
+        AverageCrossings::new(&self.curves[number * self.step()])
     }
 
     fn notes(&self) -> Vec<String> {
@@ -249,6 +259,8 @@ const QUANTITIES: &[Quantity] = &[
     quantity("polar_writhe", "polar writhe", |found| found.polar.map(|polar| polar.value())),
     quantity("polar_writhe_local", "", |found| found.polar.map(|polar| polar.local)),
     quantity("polar_writhe_nonlocal", "", |found| found.polar.map(|polar| polar.nonlocal)),
+    quantity("average_crossing_number", "average crossings", |found| found.average_crossings.map(|share| share.value)),
+    quantity("average_crossing_error_bound", "", |found| found.average_crossings.map(|share| share.bound)),
     quantity("twist", "twist", |found| found.twist.map(|twist| twist.value)),
     quantity("twist_error_bound", "", |found| found.twist.map(|twist| twist.bound)),
     quantity("twist_plus_writhe", "twist + writhe", |found| found.twist.map(|twist| twist.value + found.writhe.value)),
