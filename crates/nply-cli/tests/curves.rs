@@ -345,6 +345,7 @@ fn what_has_no_answer_is_refused_in_one_sentence() {
         ("link", cross, &[], 1, "touch or cross"),
         ("clearance", cross, &["-d", "0"], 1, "no length greater than 0"),
         ("clearance", cross, &["-d", "1", "-d", "2", "-d", "3"], 2, "3 diameters for 2 curves"),
+        ("clearance", "x_mm y_mm z_mm\n0 0 0\n1 0 0\n", &["--unit", "m"], 2, "has coordinates in mm"),
         ("clearance", cross, &["-d", "1 N"], 2, "is a force; a length is wanted"),
     ] {
         let path = file("refused.txt", text);

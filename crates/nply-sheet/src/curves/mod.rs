@@ -160,6 +160,9 @@ impl Curves {
     }
 }
 
+/// Squares and products of coordinates are formed, after scaling; this leaves room for differences.
+const FARTHEST: f64 = 1e300;
+
 /// A step that stands out from a curve's evenly spaced others as one between two curves would: the point before it, counted from 0, and how many
 /// times the median it is.
 fn leap(points: &[Vector]) -> Option<(usize, f64)> {
@@ -195,6 +198,13 @@ fn finish(source: &Source<'_>, drafts: Vec<Draft>) -> Result<Vec<Polyline>, Read
                 Some(line) => source.at_line(line, message),
                 None => source.whole(message),
             });
+        }
+        if draft.points.iter().flatten().any(|x| x.abs() > FARTHEST) {
+            let message = format!(
+                "curve {} has a coordinate beyond {FARTHEST:e}, which cannot be calculated with",
+                crate::quoted(&named)
+            );
+            return Err(source.whole(message));
         }
         let mut name = named.clone();
         while let Some(times) = taken.get_mut(&name) {

@@ -94,7 +94,7 @@ impl CurveSet {
     /// Of files by their names, at least one of them. A unit that is given is that of all coordinates; else the files' own.
     ///
     /// # Errors
-    /// [`SpecError`] for no file, and where files say different units.
+    /// [`SpecError`] for no file, and where files say different units, or another than is given.
     ///
     /// ```
     /// use nply_sheet::curves::{Closing, CurveSet, Curves};
@@ -103,12 +103,23 @@ impl CurveSet {
     /// assert!(set.members[0].closed && set.members[0].points.len() == 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[allow(clippy::float_cmp, reason = "two names of one unit have one size, to the last bit")]
     pub fn of(files: Vec<(String, Curves)>, unit: Option<&str>, closing: Closing) -> Result<Self, SpecError> {
         let flag = |name: &str| Place::Flag(name.to_owned());
         let several = files.len() > 1;
         let mut set = Self { members: Vec::new(), unit: unit.map(str::to_owned), closing, notes: Vec::new() };
         let mut first: Option<(String, Option<String>)> = None;
         for (file, curves) in files {
+            if let (Some(given), Some(own)) = (unit, &curves.unit)
+                && given != own
+                && Unit::parse(given).ok().zip(Unit::parse(own).ok()).is_none_or(|(a, b)| a.to_si(1.0) != b.to_si(1.0))
+            {
+                let message = format!(
+                    "{} has coordinates in {own}, and they are taken as they are: leave --unit out, or convert them first",
+                    quoted(&file)
+                );
+                return Err(SpecError::new(ErrorKind::Contradiction, flag("unit"), message));
+            }
             match &first {
                 None => first = Some((file.clone(), curves.unit.clone())),
                 Some((other, own)) if unit.is_none() && *own != curves.unit => {
@@ -137,7 +148,7 @@ impl CurveSet {
             set.notes.extend(curves.notes.into_iter().map(of_file));
         }
         let Some((_, own)) = first else {
-            return Err(SpecError::new(ErrorKind::Missing, flag("help"), "no file with curves is named"));
+            return Err(SpecError::new(ErrorKind::Missing, flag("read-as"), "no file with curves is named"));
         };
         set.unit = set.unit.or(own);
         Ok(set)
