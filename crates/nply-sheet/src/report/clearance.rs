@@ -187,14 +187,15 @@ impl ClearanceReport {
         pairs.sort_by(|a, b| a.gap.total_cmp(&b.gap));
         let (heading, more) = if pairs.is_empty() {
             pairs.extend(self.found.tightest().or_else(|| self.found.own_tightest()));
-            ("Nearest".to_owned(), 0)
+            let own = self.found.tightest().is_none();
+            (if own { "Nearest, beyond its neighbourhood along the wire" } else { "Nearest" }, 0)
         } else {
-            ("Overlaps, the deepest first".to_owned(), pairs.len().saturating_sub(LISTED))
+            ("Overlaps, the deepest first", pairs.len().saturating_sub(LISTED))
         };
         if pairs.is_empty() {
             return;
         }
-        let _ = writeln!(out, "\n{}", emphasis.heading(&heading));
+        let _ = writeln!(out, "\n{}", emphasis.heading(heading));
         let unit = self.set.unit.clone().unwrap_or_default();
         let head = ["distance", "gap", "at", "and at", "x", "y", "z"].map(str::to_owned).to_vec();
         let mut rows = vec![Row { label: "wires".to_owned(), unit: String::new(), cells: head }];
