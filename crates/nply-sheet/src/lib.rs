@@ -14,6 +14,7 @@
 
 mod case;
 pub mod construction;
+pub mod curves;
 mod diagnostic;
 mod dimension;
 mod double;
@@ -38,8 +39,9 @@ pub use preferred::PreferredUnits;
 pub use preset::{PRESETS, Preset, list_presets};
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
-    AngleLine, COLUMNS, Column, FitReport, Known, LaysReport, LocusReport, Measure, PlyingReport, Reading, Report,
-    Section, ShapeReport, SpecialPoint, StiffnessReport, StringsReport, TraceReport, Walk,
+    AngleLine, COLUMNS, ClearanceReport, Column, Extension, FitReport, Known, LaysReport, Link, LinkReport,
+    LocusReport, Measure, PlyingReport, Reading, Report, Section, ShapeReport, SpecialPoint, StiffnessReport,
+    StringsReport, TraceReport, Walk, WritheQuestion, WritheReport, Writhing,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

@@ -1,9 +1,11 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
 mod actuator;
+mod clearance;
 mod contact;
 mod fit_check;
 mod lays;
+mod link;
 mod locus;
 mod map;
 mod preset;
@@ -12,6 +14,7 @@ mod spin;
 mod stiffness;
 mod support;
 mod trace;
+mod writhe;
 
 use clap::{ArgMatches, Command};
 
@@ -32,7 +35,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 12] = [
+static VERBS: &[&Verb] = &[
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -45,6 +48,9 @@ static VERBS: [&Verb; 12] = [
     &preset::VERB,
     &fit_check::VERB,
     &stiffness::VERB,
+    &writhe::VERB,
+    &link::VERB,
+    &clearance::VERB,
 ];
 
 const EXAMPLES: &str = "\

@@ -1,11 +1,14 @@
 //! What a person reads out: one report, rendered as a table, as JSON or as CSV.
 
+mod clearance;
 mod column;
 mod csv;
+mod curve;
 mod fit;
 mod item;
 mod json;
 mod lays;
+mod link;
 mod locus;
 mod locus_picture;
 mod margin;
@@ -19,13 +22,17 @@ mod support;
 mod text;
 mod trace;
 mod verdict;
+mod writhe;
 
 use nply::Handedness;
 use nply::mechanics::{Axial, Balance, Ends, Equilibrium, Turning};
 
+pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
+pub use curve::Extension;
 pub use fit::FitReport;
 pub use lays::LaysReport;
+pub use link::{Link, LinkReport};
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
 pub use plying::PlyingReport;
@@ -34,6 +41,7 @@ pub use stiffness::StiffnessReport;
 pub use strings::StringsReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
+pub use writhe::{WritheQuestion, WritheReport, Writhing};
 
 pub(crate) use csv::unit_suffix;
 pub(crate) use json::header;

@@ -4,6 +4,7 @@
 mod angle;
 mod branch;
 mod centreline;
+mod clearance;
 mod contact;
 mod contact_line;
 mod densest_helix;
@@ -19,6 +20,7 @@ mod wire_strand;
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branches};
 pub use centreline::{Centreline, FrenetFrame, Vector};
+pub use clearance::{Approach, Clearance, Wire, Wires};
 pub use contact::Contact;
 pub(crate) use contact::check_strands;
 pub use contact_line::ContactLine;

@@ -5,6 +5,7 @@
 mod common;
 
 mod cable;
+mod clearance;
 mod closed_ply;
 mod equilibrium;
 mod extensible;
