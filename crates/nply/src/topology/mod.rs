@@ -18,6 +18,7 @@ mod shadow;
 mod twist;
 mod view;
 mod writhe;
+mod writhe_map;
 
 pub use average_crossing::{AverageCrossings, CrossingShare};
 pub use curve::Curve;
@@ -27,3 +28,4 @@ pub use linking::{LinkingIntegral, LinkingNumber, linking_integral, linking_matr
 pub use polar_writhe::PolarWrithe;
 pub use twist::{Frame, Twist};
 pub use writhe::Writhe;
+pub use writhe_map::{WritheMap, WritheShares};

@@ -12,6 +12,7 @@ mod polar_writhe;
 mod refusal;
 mod ribbon;
 mod writhe;
+mod writhe_map;
 
 use proptest::prelude::*;
 
