@@ -98,8 +98,8 @@ impl Monomials {
             }
             b[k] = -((2.0 * n - 1.0) * one + (n - 1.0) * two) / (n * square);
         }
-        for k in 0..TERMS {
-            b[k] *= self.factorial[k];
+        for (coefficient, factorial) in b.iter_mut().zip(&self.factorial) {
+            *coefficient *= factorial;
         }
         b
     }

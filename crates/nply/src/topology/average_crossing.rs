@@ -75,7 +75,7 @@ impl AverageCrossings {
             let start = column * BLOCK;
             let rows = &self.points[..(start + BLOCK).min(segments)];
             let round = |row: usize, segment: usize| self.closed && row == 0 && segment + 1 == segments;
-            let part = Block::new(&self.points, start).sum::<true>(rows, |row| row + 2, round);
+            let part = Block::new(&self.points, start).sum::<true>(rows, |row| row + 2, round, &mut []);
             share = share + CrossingShare { value: part.sum / PI, bound: part.bound / PI };
         }
         share

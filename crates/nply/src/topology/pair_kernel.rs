@@ -82,26 +82,28 @@ impl<'a> Block<'a> {
 
     /// The segments of `rows`, one after the other, with each of the block's; `ABS` takes each half solid angle as positive. Neighbours,
     /// as `joined` tells them by row and segment, are left out, and so is every segment of the block before `first(row)`.
+    /// What each row adds is added to its place in `each`, if it has one.
     pub(crate) fn sum<const ABS: bool>(
         &mut self,
         rows: &[Vector],
         first: impl Fn(usize) -> usize,
         joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
     ) -> Part {
         #[cfg(target_arch = "x86_64")]
         {
             if std::arch::is_x86_feature_detected!("avx512f") {
                 #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
                 // SAFETY: AVX-512 is there.
-                return unsafe { self.sum_512::<ABS>(rows, first, joined) };
+                return unsafe { self.sum_512::<ABS>(rows, first, joined, each) };
             }
             if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
                 #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
                 // SAFETY: AVX2 and FMA are there.
-                return unsafe { self.sum_256::<ABS>(rows, first, joined) };
+                return unsafe { self.sum_256::<ABS>(rows, first, joined, each) };
             }
         }
-        self.sum_of::<ABS, false>(rows, first, joined)
+        self.sum_of::<ABS, false>(rows, first, joined, each)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -111,8 +113,9 @@ impl<'a> Block<'a> {
         rows: &[Vector],
         first: impl Fn(usize) -> usize,
         joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
     ) -> Part {
-        self.sum_of::<ABS, true>(rows, first, joined)
+        self.sum_of::<ABS, true>(rows, first, joined, each)
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -122,8 +125,9 @@ impl<'a> Block<'a> {
         rows: &[Vector],
         first: impl Fn(usize) -> usize,
         joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
     ) -> Part {
-        self.sum_of::<ABS, true>(rows, first, joined)
+        self.sum_of::<ABS, true>(rows, first, joined, each)
     }
 
     #[inline(always)]
@@ -132,6 +136,7 @@ impl<'a> Block<'a> {
         rows: &[Vector],
         first: impl Fn(usize) -> usize,
         joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
     ) -> Part {
         let mut part = Part::default();
         let mut far = ([0.0; LANES], [0.0; LANES]);
@@ -151,9 +156,13 @@ impl<'a> Block<'a> {
                 bound[lane] = far.1[lane] + error(length * self.longest[lane] / square[lane], angles[lane]);
             }
             if all {
+                if let Some(own) = each.get_mut(row) {
+                    *own += angles.iter().sum::<f64>();
+                }
                 far = (sum, bound);
                 continue;
             }
+            let before = part.sum;
             for lane in 0..LANES {
                 let start = self.start + lane * STEPS;
                 let end = (start + STEPS).min(self.start + self.segments);
@@ -172,6 +181,9 @@ impl<'a> Block<'a> {
                         }
                     }
                 }
+            }
+            if let Some(own) = each.get_mut(row) {
+                *own += part.sum - before;
             }
             part.bound += f64::EPSILON * part.sum.abs();
         }

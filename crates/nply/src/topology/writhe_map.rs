@@ -200,15 +200,11 @@ impl WritheMap {
         shares.bound += 0.5 * self.nodes[at].length * left_out / TAU;
         for &(_, source) in near {
             let mut block = Block::new(&self.points, source * BLOCK);
-            for (k, sum) in sums.iter_mut().enumerate() {
-                let own = start + k;
-                let joined = |_: usize, other: usize| {
-                    own.abs_diff(other) <= 1 || (self.closed && own.abs_diff(other) + 1 == segments)
-                };
-                let part = block.sum::<false>(&rows[k..k + 2], |_| 0, joined);
-                *sum += part.sum;
-                shares.bound += part.bound / TAU;
-            }
+            let joined = |row: usize, other: usize| {
+                let apart = (start + row).abs_diff(other);
+                apart <= 1 || (self.closed && apart + 1 == segments)
+            };
+            shares.bound += block.sum::<false>(rows, |_| 0, joined, &mut sums).bound / TAU;
         }
         shares.shares.extend(sums.iter().map(|sum| sum / TAU));
     }

@@ -11,6 +11,7 @@ mod linking;
 mod polar_writhe;
 mod refusal;
 mod ribbon;
+mod sample;
 mod writhe;
 mod writhe_map;
 

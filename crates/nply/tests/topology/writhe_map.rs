@@ -35,15 +35,15 @@ fn each_share_is_its_sum_over_pairs() {
 /// A long helix on a circle: far pieces are expanded, and the sum is the writhe within the bound, which is within the tolerance.
 #[test]
 fn they_add_up_to_the_writhe_within_their_bound() {
-    let n = 30_000;
+    let n = 6_000;
     let coil = |k: usize| {
         let t = TAU * k as f64 / n as f64;
-        let (r, psi) = (40.0 + (200.0 * t).cos(), 200.0 * t);
+        let (r, psi) = (40.0 + (60.0 * t).cos(), 60.0 * t);
         [r * t.cos(), r * t.sin(), psi.sin()]
     };
     for curve in [closed((0..n).map(coil).collect()), open((0..n).map(coil).collect())] {
         let want = curve.writhe().unwrap();
-        for tolerance in [1e-2, 1e-5] {
+        for tolerance in [1e-1, 1e-4] {
             let (got, bound) = shares(&curve, tolerance);
             let off = (got.iter().sum::<f64>() - want.value).abs();
             assert!(off <= bound + want.bound && bound <= 1.1 * tolerance, "{off} {bound} {tolerance}");
