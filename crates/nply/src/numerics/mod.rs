@@ -16,4 +16,5 @@ pub(crate) mod quadratic;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod taylor;
 pub(crate) mod vector;
