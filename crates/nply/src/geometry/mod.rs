@@ -9,6 +9,7 @@ mod densest_helix;
 mod lay;
 mod section;
 mod special_lay;
+mod tube;
 
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branches};
@@ -19,3 +20,4 @@ pub use contact_line::ContactLine;
 pub use densest_helix::DensestHelix;
 pub use section::Section;
 pub use special_lay::{SpecialLays, packing_fraction};
+pub use tube::{Course, DoubleHelix, Ends, Facets, Fit, Place, Tube, TubeMesh};

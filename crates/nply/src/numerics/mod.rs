@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod dual;
+pub(crate) mod foot;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod kepler;

@@ -12,6 +12,7 @@ mod section;
 mod separation;
 mod stability;
 mod support;
+mod tube;
 
 use nply::Handedness;
 use proptest::prelude::*;
