@@ -18,6 +18,7 @@ mod dimension;
 mod double;
 mod key;
 pub mod map;
+pub mod mesh;
 pub mod plot;
 mod preferred;
 mod quantity;

@@ -4,6 +4,7 @@ mod contact;
 mod lays;
 mod locus;
 mod map;
+mod mesh;
 mod solve;
 mod support;
 mod trace;
@@ -27,8 +28,8 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 7] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB];
+static VERBS: [&Verb; 8] =
+    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &mesh::VERB];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -39,6 +40,7 @@ Examples:
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

@@ -183,6 +183,33 @@ impl Tube {
         Ok((placing, off))
     }
 
+    /// The point at angle α of the outline in the plane at a height: what (10) and (11) say of a strand.
+    ///
+    /// ```
+    /// use nply::Handedness::Left;
+    /// use nply::geometry::{Centreline, Contact, Section, Tube};
+    /// let contact = Contact::new(3, 0.9)?;
+    /// let tube = Tube::new(Centreline::new(&contact, Left, 1), 1.0, 0.0, 20.0)?;
+    /// let ([x, y, _], [a, b]) = (tube.cut(4.0, 0.8), Section::new(&contact, Left).outline(1, 4.0, 0.8));
+    /// assert!((x - a).abs() < 1e-13 && (y - b).abs() < 1e-13);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn cut(&self, height: f64, alpha: f64) -> Vector {
+        const ROUNDS: u32 = 60; // a helix takes one
+        let mut t = height / self.course.rise();
+        for _ in 0..ROUNDS {
+            let place = self.course.place(t);
+            let step = (height - self.surface(t, alpha)[2]) / (place.speed * place.tangent[2]);
+            t += step;
+            if step.abs() <= 3e-14 * (1.0 + t.abs()) {
+                break;
+            }
+        }
+        let [x, y, _] = self.surface(t, alpha);
+        [x, y, height]
+    }
+
     /// How far triangles lie inside and outside, at their corners, middles and the middles of their edges. Where the course is uniform one
     /// ring of facets is like any other.
     fn deviation(&self, facets: Facets, placing: Placing) -> Result<[f64; 2], DomainError> {
