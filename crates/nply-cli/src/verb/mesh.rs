@@ -42,9 +42,16 @@ pub(super) fn shown(command: Command) -> Command {
     const MOST_STRIPES: i64 = 24;
     with_keys(command, |_| true)
         .arg(count("state", "Which of the states that are found, as `nply solve` numbers them", MOST_STATES))
-        .arg(Arg::new("length").long("length").value_name("LENGTH").help("How much of the ply, along its axis"))
+        .arg(
+            Arg::new("length")
+                .allow_hyphen_values(true)
+                .long("length")
+                .value_name("LENGTH")
+                .help("How much of the ply, along its axis"),
+        )
         .arg(
             Arg::new("lay-lengths")
+                .allow_hyphen_values(true)
                 .long("lay-lengths")
                 .value_name("NUMBER")
                 .value_parser(value_parser!(f64))
@@ -78,7 +85,7 @@ fn arguments(command: Command) -> Command {
             "The unit of coordinates: mm, nm, …, or r for strand radii (that of the input; m for GLB, Å for PDB)",
         ))
         .arg(
-            Arg::new("chord-error").long("chord-error").value_name("LENGTH").help(
+            Arg::new("chord-error").allow_hyphen_values(true).long("chord-error").value_name("LENGTH").help(
                 "How far triangles may lie off the surface: a length, or a bare share of the strand radius (0.01)",
             ),
         )
@@ -108,6 +115,7 @@ fn arguments(command: Command) -> Command {
         )
         .arg(
             Arg::new("cut")
+                .allow_hyphen_values(true)
                 .long("cut")
                 .value_name("HEIGHT")
                 .action(ArgAction::Append)

@@ -49,7 +49,7 @@ pub(super) fn write(surface: &Surface<'_>, unit: &FileUnit) -> Vec<u8> {
         let _ = writeln!(out, "o {}", line.name);
         for point in &line.points {
             let [x, y, z] = unit.point(*point).map(single);
-            let _ = writeln!(out, "v {x} {y} {z}");
+            let _ = writeln!(out, "v {x} {y} {z} 0 0 0");
         }
         out.push('l');
         for _ in &line.points {

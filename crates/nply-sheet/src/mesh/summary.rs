@@ -39,7 +39,7 @@ pub fn surface_summary(ply: &Subject, surface: &Surface<'_>, unit: &FileUnit) ->
         ),
         ("triangles lie inside the tubes by up to", length(-inside)),
         ("and outside by up to", length(outside)),
-        ("least distance of neighbours' centrelines", length(2.0 + ply.neighbour_gap())),
+        ("least distance of strands' centrelines", length(2.0 + ply.neighbour_gap())),
         ("coordinates in", u.to_owned()),
     ];
     for (label, value) in rows {
@@ -59,7 +59,7 @@ pub fn chain_summary(ply: &Subject, chains: &[Chain], unit: &FileUnit) -> String
         ("nodes, elements", format!("{nodes}, {}", nodes - chains.len())),
         ("strand radius", format!("{} {u}", six_digits(unit.per_radius))),
         (
-            "least distance of neighbours' centrelines",
+            "least distance of strands' centrelines",
             format!("{} {u}", six_digits((2.0 + ply.neighbour_gap()) * unit.per_radius)),
         ),
         ("coordinates in", u.to_owned()),
