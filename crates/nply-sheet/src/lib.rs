@@ -13,6 +13,7 @@
 #![warn(missing_docs)]
 
 mod case;
+pub mod curves;
 mod diagnostic;
 mod dimension;
 mod double;

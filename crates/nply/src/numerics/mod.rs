@@ -13,3 +13,4 @@ pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod vector;

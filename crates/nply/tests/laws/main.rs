@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod clearance;
 mod equilibrium;
 mod geometry;
 mod holding;
