@@ -5,6 +5,7 @@ mod lays;
 mod locus;
 mod map;
 mod mesh;
+mod nodes;
 mod solve;
 mod support;
 mod trace;
@@ -28,8 +29,17 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &mesh::VERB];
+static VERBS: [&Verb; 9] = [
+    &solve::VERB,
+    &support::VERB,
+    &trace::VERB,
+    &map::VERB,
+    &locus::VERB,
+    &contact::VERB,
+    &lays::VERB,
+    &mesh::VERB,
+    &nodes::VERB,
+];
 
 const EXAMPLES: &str = "\
 Examples:

@@ -69,6 +69,11 @@ impl Subject {
         Self::of_case(spec, spec.check()?, state)
     }
 
+    /// The lay of a description, whatever else it says.
+    pub(super) fn of_lay(spec: &Spec) -> Result<Self, SpecError> {
+        Self::of_shape(spec, spec.check_shape()?)
+    }
+
     fn of_shape(spec: &Spec, shape: Shape) -> Result<Self, SpecError> {
         let known = |radius_ratio, angle, contact: Option<Contact>| {
             let line = Centreline::helix(radius_ratio, angle, shape.hand.unwrap_or(Handedness::Right), 0.0);

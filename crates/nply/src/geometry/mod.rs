@@ -3,6 +3,7 @@
 mod angle;
 mod branch;
 mod centreline;
+mod chords;
 mod clearance;
 mod contact;
 mod contact_line;
@@ -15,6 +16,7 @@ mod tube;
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branches};
 pub use centreline::{Centreline, FrenetFrame, Vector};
+pub use chords::{ChordLay, Chords};
 pub use clearance::{Approach, Clearance, Wire, Wires};
 pub use contact::Contact;
 pub(crate) use contact::check_strands;

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod chords;
 mod clearance;
 mod equilibrium;
 mod geometry;

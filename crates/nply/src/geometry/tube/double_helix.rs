@@ -4,6 +4,7 @@ use super::Place;
 use crate::geometry::centreline::turn_between;
 use crate::geometry::{Centreline, Vector};
 use crate::numerics::foot;
+use crate::numerics::vector::{cross, dot};
 use crate::{DomainError, geometry::FrenetFrame};
 
 /// A wire that winds about a strand, which winds about the ply's axis.
@@ -142,12 +143,4 @@ impl DoubleHelix {
         }
         (s, libm::sqrt(best.2))
     }
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
