@@ -23,6 +23,7 @@ pub mod mesh;
 pub mod plot;
 mod preferred;
 mod quantity;
+pub mod render;
 mod report;
 mod solve;
 mod spec;

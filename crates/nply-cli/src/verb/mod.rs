@@ -6,6 +6,7 @@ mod locus;
 mod map;
 mod mesh;
 mod nodes;
+mod render;
 mod solve;
 mod support;
 mod trace;
@@ -29,7 +30,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 9] = [
+static VERBS: [&Verb; 10] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -39,6 +40,7 @@ static VERBS: [&Verb; 9] = [
     &lays::VERB,
     &mesh::VERB,
     &nodes::VERB,
+    &render::VERB,
 ];
 
 const EXAMPLES: &str = "\

@@ -37,6 +37,7 @@ pub use size::FileUnit;
 pub use start::{StartGeometry, StartWanted};
 pub use subject::Subject;
 pub use summary::{chain_summary, surface_summary};
+pub(crate) use surface::pale;
 pub use surface::{Fineness, Part, Surface};
 
 use crate::Measure;
