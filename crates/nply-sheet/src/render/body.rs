@@ -23,8 +23,8 @@ pub(super) struct Spot {
     pub(super) wire: usize,
     /// The outward normal.
     pub(super) normal: Vector,
-    /// The material line β there, rad.
-    pub(super) beta: f64,
+    /// The material line μ there, rad.
+    pub(super) mu: f64,
     /// On the cut across an end.
     pub(super) on_end: bool,
 }
@@ -169,10 +169,10 @@ impl<'a> Body<'a> {
             let alpha = libm::atan2(dot(foot.inward), dot(foot.binormal));
             let [cos, sin] = ring.turns[place];
             let normal = [cos * out[0] - sin * out[1], sin * out[0] + cos * out[1], out[2]];
-            let beta = alpha + ring.first.twist() * t;
-            best = Some((off, Spot { wire: ring.wires[place], normal, beta, on_end: false }));
+            let mu = alpha + ring.first.twist() * t;
+            best = Some((off, Spot { wire: ring.wires[place], normal, mu, on_end: false }));
         }
-        best.unwrap_or((f64::INFINITY, Spot { wire: 0, normal: [0.0, 0.0, 1.0], beta: 0.0, on_end: false }))
+        best.unwrap_or((f64::INFINITY, Spot { wire: 0, normal: [0.0, 0.0, 1.0], mu: 0.0, on_end: false }))
     }
 }
 

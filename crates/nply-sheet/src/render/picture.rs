@@ -289,7 +289,7 @@ impl<'a> Picture<'a> {
         if wire.stripes == 0 || seen.spot.on_end {
             return false;
         }
-        let share = seen.spot.beta / core::f64::consts::TAU * f64::from(wire.stripes);
+        let share = seen.spot.mu / core::f64::consts::TAU * f64::from(wire.stripes);
         share - libm::floor(share) < 0.25
     }
 
