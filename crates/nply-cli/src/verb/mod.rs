@@ -8,7 +8,10 @@ mod lays;
 mod link;
 mod locus;
 mod map;
+mod mesh;
+mod nodes;
 mod preset;
+mod render;
 mod solve;
 mod spin;
 mod stiffness;
@@ -51,6 +54,9 @@ static VERBS: &[&Verb] = &[
     &writhe::VERB,
     &link::VERB,
     &clearance::VERB,
+    &mesh::VERB,
+    &nodes::VERB,
+    &render::VERB,
 ];
 
 const EXAMPLES: &str = "\
@@ -63,6 +69,7 @@ Examples:
   nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

@@ -5,6 +5,7 @@
 mod common;
 
 mod cable;
+mod chords;
 mod clearance;
 mod closed_ply;
 mod equilibrium;
@@ -18,6 +19,7 @@ mod separation;
 mod stability;
 mod stretch_path;
 mod support;
+mod tube;
 mod wire_layer;
 
 use nply::Handedness;

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use super::Vector;
 use crate::DomainError;
 use crate::numerics::vector::{cross, norm, sub, times};
+pub(super) use segment::approach;
 use tree::Tree;
 
 /// A wire: its centreline as a polyline, and its diameter (0: a line without one), in one unit of length.

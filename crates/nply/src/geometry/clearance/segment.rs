@@ -7,7 +7,7 @@ use crate::numerics::vector::{Vector, add, cross, dot, sub, times};
 /// The distance is convex in both places: its minimum lies at one of the four ends or between all of them. Each candidate is a pair of points of
 /// the segments, so that rounding of its place costs the distance second order alone; parallel segments and segments of no
 /// length have their minimum at an end.
-pub(super) fn approach(first: [Vector; 2], second: [Vector; 2]) -> (f64, [f64; 2]) {
+pub(in crate::geometry) fn approach(first: [Vector; 2], second: [Vector; 2]) -> (f64, [f64; 2]) {
     let (u, v) = (sub(first[1], first[0]), sub(second[1], second[0]));
     let r = sub(second[0], first[0]);
     let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
