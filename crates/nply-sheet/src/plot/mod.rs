@@ -12,19 +12,28 @@
 //! ```
 
 mod axis;
+mod bar;
+#[cfg(feature = "png")]
+mod bitmap;
 mod chart;
 mod clip;
 mod field;
 #[cfg(test)]
 mod hostile;
+mod legend;
 mod palette;
 mod panel;
 mod picture;
 mod raster;
+mod symbol;
 mod text;
+mod theme;
 
 pub use axis::Axis;
-pub use chart::{Chart, Curve, Marker, MarkerShape};
+#[cfg(feature = "png")]
+pub use bitmap::{BitmapError, png};
+pub use chart::{Area, Chart, Curve, Dash, Marker, MarkerShape, Note, Side};
 pub use field::Field;
 pub use palette::ColourMap;
 pub use picture::{Panel, Picture};
+pub use theme::Theme;

@@ -11,7 +11,7 @@ mod section;
 mod special_lay;
 
 pub use angle::HelicalAngle;
-pub use branch::{Branch, BranchKind, branches};
+pub use branch::{Branch, BranchKind, branch_at_anomaly, branches};
 pub use centreline::{Centreline, FrenetFrame, Vector};
 pub use contact::Contact;
 pub(crate) use contact::check_strands;
