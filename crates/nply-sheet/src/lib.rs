@@ -17,6 +17,7 @@ mod diagnostic;
 mod dimension;
 mod double;
 mod key;
+pub mod figure;
 pub mod map;
 pub mod plot;
 mod preferred;

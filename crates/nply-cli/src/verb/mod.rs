@@ -1,6 +1,7 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
 mod contact;
+mod figure;
 mod lays;
 mod locus;
 mod map;
@@ -27,8 +28,16 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 7] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB];
+static VERBS: [&Verb; 8] = [
+    &solve::VERB,
+    &support::VERB,
+    &trace::VERB,
+    &map::VERB,
+    &locus::VERB,
+    &contact::VERB,
+    &lays::VERB,
+    &figure::VERB,
+];
 
 const EXAMPLES: &str = "\
 Examples:

@@ -25,9 +25,10 @@ mod palette;
 mod panel;
 mod picture;
 mod raster;
+pub(crate) mod sample;
 mod symbol;
 mod text;
-mod theme;
+pub(crate) mod theme;
 
 pub use axis::Axis;
 #[cfg(feature = "png")]
