@@ -62,10 +62,8 @@ pub(crate) fn zoom_of(arguments: &ArgMatches) -> f64 {
 pub(crate) fn picture(path: &str, svg: &str, arguments: &ArgMatches) -> Result<(), Failure> {
     let is_png = Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
     let pixels = is_png.then(|| nply_sheet::plot::png(svg, zoom_of(arguments))).transpose();
-    let pixels = pixels.map_err(|error| Failure::File {
-        what: format!("cannot draw {path}"),
-        error: io::Error::other(error),
-    })?;
+    let pixels = pixels
+        .map_err(|error| Failure::File { what: format!("cannot draw {path}"), error: io::Error::other(error) })?;
     let mut draft = Draft::new(path)?;
     draft.write(pixels.as_deref().unwrap_or(svg.as_bytes()))?;
     draft.keep()

@@ -293,7 +293,9 @@ fn a_point_of_a_row_is_a_state() {
                         Along::Moment => ply.equilibria(twist, Load { moment: x, ..load }),
                         Along::Pretwist => ply.equilibria(Twist::Pretwist(x), load),
                         Along::StrandTwist => ply.equilibria(Twist::StrandTwist(x), load),
-                        Along::StiffnessRatio => Ply::with_balance(strands, x, balance).unwrap().equilibria(twist, load),
+                        Along::StiffnessRatio => {
+                            Ply::with_balance(strands, x, balance).unwrap().equilibria(twist, load)
+                        }
                     };
                     let near = |s: &nply::mechanics::Equilibrium| {
                         s.handedness() == hand && (s.contact().angle().degrees() - degrees).abs() < 1e-9

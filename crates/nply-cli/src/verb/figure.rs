@@ -16,21 +16,14 @@ Works out a figure or table of Neukirch and van der Heijden's paper anew. --outp
 written beside it as CSV. Without it the picture goes to standard output as SVG, or the numbers with --csv. `nply figure all
 --output FOLDER` writes every figure, and a gallery of them as HTML and Markdown. Where the two balances differ, both are drawn.";
 
-pub(super) const VERB: Verb = Verb {
-    name: "figure",
-    about: "The paper's figures, worked out anew",
-    long: LONG,
-    examples: false,
-    arguments,
-    run,
-};
+pub(super) const VERB: Verb =
+    Verb { name: "figure", about: "The paper's figures, worked out anew", long: LONG, examples: false, arguments, run };
 
 fn arguments(command: Command) -> Command {
     let figure = Arg::new("figure").required(true).value_name("FIGURE").help("1 to 15, table1, table2, or all");
     let output = Arg::new("output").long("output").short('o').value_name("FILE");
-    let switch = |name: &'static str, help: &'static str| {
-        Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
-    };
+    let switch =
+        |name: &'static str, help: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
     command
         .arg(figure)
         .arg(output.help("Where to write: a file that ends in .svg, .png or .csv; for all of them, a folder"))

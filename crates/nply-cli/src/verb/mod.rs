@@ -28,16 +28,8 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] = [
-    &solve::VERB,
-    &support::VERB,
-    &trace::VERB,
-    &map::VERB,
-    &locus::VERB,
-    &contact::VERB,
-    &lays::VERB,
-    &figure::VERB,
-];
+static VERBS: [&Verb; 8] =
+    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &figure::VERB];
 
 const EXAMPLES: &str = "\
 Examples:

@@ -63,7 +63,7 @@ fn draw(strands: u32) -> Result<(Chart, Data), DomainError> {
     }
     // between neighbouring multiples of π, and 2π/n, each curve runs once; those that end beyond the axis are left out
     let furthest = 8;
-    for k in -furthest..furthest {
+    for k in (0..furthest).chain(-furthest..0) {
         let (from, to) = (PI * f64::from(k), PI * f64::from(k + 1));
         let to = if k == 0 { to.min(lambda) } else { to };
         let point = |share: f64| {

@@ -26,7 +26,7 @@ struct Panel {
 const PANELS: [Panel; 4] = [
     Panel {
         word: "radius_ratio",
-        title: "a  Helix radius",
+        title: "(a) Helix radius",
         axis: "ρ = R/r",
         range: (0.0, 6.0),
         step: 1.0,
@@ -35,7 +35,7 @@ const PANELS: [Panel; 4] = [
     },
     Panel {
         word: "twisting_moment",
-        title: "b  Twisting moment in a strand",
+        title: "(b) Twisting moment in a strand",
         axis: "γ r u₃",
         range: (-4.0, 4.0),
         step: 1.0,
@@ -44,7 +44,7 @@ const PANELS: [Panel; 4] = [
     },
     Panel {
         word: "resultant_pressure",
-        title: "c  Resultant pressure",
+        title: "(c) Resultant pressure",
         axis: "p r³/B",
         range: (-2.0, 2.0),
         step: 0.5,
@@ -53,7 +53,7 @@ const PANELS: [Panel; 4] = [
     },
     Panel {
         word: "interstrand_pressure",
-        title: "d  Pressure between neighbours",
+        title: "(d) Pressure between neighbours",
         axis: "p₁ r³/B",
         range: (-2.0, 2.0),
         step: 0.5,
@@ -106,7 +106,7 @@ pub(super) fn two() -> Result<Parts, DomainError> {
         "A ply of two strands that carries no loads. Twist and pressures grow without bound towards 45°, from either side; below it the \
          strands press on each other, above it they would have to pull. Line contact goes on beyond 45° in theory only, where the strands \
          overlap. On the helix that they touch along instead, radial balance takes p₁ to −π²/8 for flat rings and p to 0, line contact \
-         to −1/2 and −1. Left-handed states have negative angles in b.",
+         to −1/2 and −1; contact balance takes both to 0, with a twisting moment of −π/4. Left-handed states have negative angles in (b).",
         data,
         picture,
     ))
@@ -135,8 +135,8 @@ pub(super) fn three() -> Result<Parts, DomainError> {
     let (picture, data) = draw(3, &families)?;
     Ok(Parts::charts(
         "The same of three strands. In radial balance everything grows without bound at 45°, as with two strands. Contact forces that \
-         cross from one height to another move this angle down to 37.88°, that of the most torsion, and make more than one strand \
-         twist balance there. The radius does not depend on the balance.",
+         cross from one height to another move this angle down to 37.88°, that of the most torsion, and leave flat rings with a twisting \
+         moment of −π/6 in each strand and no pressure. The radius does not depend on the balance.",
         data,
         picture,
     ))

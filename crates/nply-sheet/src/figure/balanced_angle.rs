@@ -6,7 +6,7 @@ use nply::{DomainError, Handedness};
 
 use super::{Data, Parts, rad};
 use crate::plot::sample::{sampled, steps};
-use crate::plot::{Axis, Chart, Curve, Dash, Note, Picture, Side};
+use crate::plot::{Axis, Chart, Curve, Dash, Picture};
 
 const GAMMA: f64 = 0.75;
 /// The axis of pretwist reaches so far left and right.
@@ -39,16 +39,15 @@ pub(super) fn make() -> Result<Parts, DomainError> {
             }
         }
     }
-    for (strands, side) in [(2, Side::Above), (6, Side::Below)] {
-        let limit = SpecialLays::of(strands)?;
-        let degrees = limit.most_torsion().angle().degrees();
-        chart = chart.with_note(Note::new(format!("{degrees:.1}°"), -5.3, degrees, side));
-    }
-    Ok(Parts::charts(
-        "Every pretwist has balanced states of both hands. The flatter one lies against the pretwist and approaches a limiting angle \
-         however much is put in: 45° in radial balance, and in contact balance the angle of the most torsion, 37.88° for three strands and \
-         35.83° for six. The steeper one lies with it. The two balances agree for two strands below 45°. γ = 3/4.",
-        data,
-        Picture::row([chart]),
-    ))
+    let limit = |strands| SpecialLays::of(strands).map(|lays| lays.most_torsion().angle().degrees());
+    let caption = format!(
+        "However much pretwist is put into strands side by side, the angle at which they come to rest stays below a limit: 45° in radial \
+         balance, and in contact balance the angle of the most torsion, {:.2}° for three strands and {:.2}° for six. They lie against their \
+         pretwist. Beyond the limit there is another branch, of the other hand, on which neighbours would have to pull. In radial balance \
+         it ends at no pretwist, in contact balance at −π/(2nγ) for right-handed flat rings, so that weak pretwists have three states. \
+         The balances agree for two strands below 45°. γ = 3/4.",
+        limit(3)?,
+        limit(6)?
+    );
+    Ok(Parts::charts(caption, data, Picture::row([chart])))
 }

@@ -103,10 +103,6 @@ impl Canvas {
         );
     }
 
-    pub(super) fn dot(&mut self, [x, y]: [f64; 2], r: f64, fill: [u8; 3]) {
-        let _ = writeln!(self.body, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{r:.2}\" fill=\"{}\"/>", hex(fill));
-    }
-
     /// A line with a head at its end.
     pub(super) fn arrow(&mut self, points: &[[f64; 2]], pen: &Pen) {
         self.line(points, pen);
@@ -136,7 +132,7 @@ impl Canvas {
             self.body,
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{}\">{}</text>",
             hex(colour),
-            escaped(text)
+            lowered(&escaped(text), size)
         );
     }
 
@@ -158,6 +154,25 @@ impl Canvas {
             hex(theme.ground()),
         )
     }
+}
+
+/// What follows an underline, one letter or all in braces, set low and small: `ψ_L`, `E_{12}`.
+fn lowered(text: &str, size: f64) -> String {
+    let mut parts = text.split('_');
+    let mut set = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.chars().next().map_or(0, char::len_utf8);
+        let (low, rest) = match part.strip_prefix('{').and_then(|part| part.split_once('}')) {
+            Some(split) => split,
+            None => part.split_at(end),
+        };
+        let drop = 0.22 * size;
+        let _ = write!(set, "<tspan dy=\"{drop:.2}\" font-size=\"{:.1}\">{low}</tspan>", 0.72 * size);
+        if !rest.is_empty() {
+            let _ = write!(set, "<tspan dy=\"-{drop:.2}\">{rest}</tspan>");
+        }
+    }
+    set
 }
 
 fn joined(points: &[[f64; 2]]) -> String {

@@ -19,8 +19,9 @@ pub(super) fn make() -> Result<Parts, DomainError> {
     let twist = Twist::Pretwist(PRETWIST);
     let contact = Contact::from_radius_ratio(6, RADIUS_RATIO)?;
     let force = || Axis::new("end force f", "B/r²").with_range(-REACH, REACH).with_step(1.0);
-    let mut pressure = Chart::new("a  Resultant pressure", force(), Axis::new("p r³/B", "").with_range(-0.3, 0.3));
-    let mut moment = Chart::new("b  Moment that holds the angle", force(), Axis::new("m", "B/r").with_range(-5.0, 3.0));
+    let mut pressure = Chart::new("(a) Resultant pressure", force(), Axis::new("p r³/B", "").with_range(-0.04, 0.04));
+    let mut moment =
+        Chart::new("(b) Moment that holds the angle", force(), Axis::new("m", "B/r").with_range(-5.0, 3.0));
     let ply = Ply::new(6, GAMMA)?;
     for wedge in ply.wedges(twist, RADIUS_RATIO - 1.0)?.into_iter().flatten() {
         let tip = (wedge.tip.force, wedge.tip.moment);
@@ -37,12 +38,12 @@ pub(super) fn make() -> Result<Parts, DomainError> {
     }
     for (colour, balance) in [(0, Balance::Radial), (1, Balance::Contact)] {
         let ply = Ply::with_balance(6, GAMMA, balance)?;
-        let carried = if balance == Balance::Radial { "core alone, radial" } else { "neighbours alone, contact" };
+        let carried = if balance == Balance::Radial { "radial (core carries)" } else { "contact (neighbours)" };
         for side in Handedness::BOTH {
             // both are straight lines: two points each
             let state = |force| ply.moment_at(contact.angle(), side, twist, force);
             let ends = [state(-REACH)?, state(0.0)?, state(REACH)?];
-            let name = format!("{carried}, {}-handed", hand(side));
+            let name = format!("{}, {carried}", hand(side));
             let curve = |of: fn(&Equilibrium) -> f64| {
                 let curve = Curve::new(name.clone(), ends.iter().map(|state| (state.load().force, of(state))));
                 let curve = curve.with_colour(colour);

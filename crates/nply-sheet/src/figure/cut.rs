@@ -48,9 +48,8 @@ pub(super) fn make() -> Result<Parts, DomainError> {
     let hollow = Section::non_convex_angle(3)?.degrees();
     let caption = format!(
         "A plane across the axis of three right-handed strands at 20°, 60° and 80°, each drawn to its own scale. Steep strands are cut in \
-         ovals; above {hollow:.1}° the cut turns hollow towards the axis, and nearly flat ones are cut lengthwise. Dashed: the cylinder \
-         around the ply; dotted: the hole along its axis. Neighbours touch at other heights than that of the plane, so that the outlines \
-         stay apart."
+         ovals; above {hollow:.1}° the cut turns hollow towards the axis, and nearly flat ones are cut lengthwise. Neighbours meet \
+         where the helix they touch along goes through the plane. Dashed: the cylinder around the ply; dotted: the hole along its axis."
     );
     Ok(Parts::free(caption, data, move |theme| draw(&cuts, theme)))
 }
@@ -70,7 +69,7 @@ fn draw(cuts: &[Cut], theme: Theme) -> String {
         canvas.circle(centre, zoom * cut.hole, &Pen::new(canvas.grey(), 1.0).dashed("1 4"));
         let ink = canvas.ink();
         let letter = ["a", "b", "c"][i % 3];
-        let words = format!("{letter}  θ = {}°", cut.degrees);
+        let words = format!("({letter}) θ = {}°", cut.degrees);
         canvas.words(&words, [centre[0], SIDE + 36.0], 15.0, Anchor::Middle, ink);
         let words = if cut.convex { "convex" } else { "hollow" };
         canvas.words(words, [centre[0], SIDE + 56.0], 13.0, Anchor::Middle, canvas.grey());

@@ -52,9 +52,11 @@ fn tubes(contact: &Contact, turns: f64) -> Vec<Tube> {
     let cos = contact.angle().cos();
     let half = 0.5 * LENGTH;
     let stations = |line: &dyn Fn(f64) -> Station| {
-        let count = libm::ceil(LENGTH / STEP);
+        // and what reaches into the picture from beyond its ends
+        let (length, half) = (LENGTH + 8.0, half + 4.0);
+        let count = libm::ceil(length / STEP);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds")]
-        let places = (0..=count as u32).map(|k| LENGTH * f64::from(k) / count - half);
+        let places = (0..=count as u32).map(|k| length * f64::from(k) / count - half);
         places.map(line).collect::<Vec<Station>>()
     };
     let mut tubes: Vec<Tube> = (0..3)
@@ -72,8 +74,8 @@ fn tubes(contact: &Contact, turns: f64) -> Vec<Tube> {
         .collect();
     let closure = |s: f64| {
         let (sin, cos_turn) = libm::sincos(-core::f64::consts::TAU * turns * s / LENGTH);
-        let place: Vector = [-3.9, 0.0, s * cos];
-        Station { place, tangent: [0.0, 0.0, 1.0], stripe: Some([sin, cos_turn, 0.0]) }
+        let place: Vector = [3.9, 0.0, s * cos];
+        Station { place, tangent: [0.0, 0.0, 1.0], stripe: Some([-sin, cos_turn, 0.0]) }
     };
     tubes.push(Tube { stations: stations(&closure), radius: 0.6, colour: [0x9a, 0x9a, 0x9a] });
     tubes
@@ -91,16 +93,16 @@ fn draw(state: &Equilibrium, theme: Theme) -> String {
         let half = half * contact.angle().cos();
         let view = View {
             right: [0.0, 0.0, 1.0],
-            up: [1.0, 0.0, 0.0],
-            eye: [0.0, 1.0, 0.0],
-            centre: [-0.9, 0.0, 0.0],
+            up: [-1.0, 0.0, 0.0],
+            eye: [0.0, -1.0, 0.0],
+            centre: [0.9, 0.0, 0.0],
             size: (700, 185),
             zoom: 22.0,
             cut: (-half, half),
         };
         canvas.image(&view.png(&tubes(&contact, turns)), [60.0, top, 700.0, 185.0]);
         let ink = canvas.ink();
-        canvas.words(letter, [26.0, top + 80.0], 17.0, Anchor::Middle, ink);
+        canvas.words(&format!("({letter})"), [26.0, top + 80.0], 17.0, Anchor::Middle, ink);
     }
     canvas.svg("Three twisted strands held straight, and coiled after they were let go, with their closure")
 }

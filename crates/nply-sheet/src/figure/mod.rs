@@ -82,11 +82,7 @@ impl Parts {
 }
 
 static RECIPES: [Recipe; 17] = {
-    const fn recipe(
-        name: &'static str,
-        title: &'static str,
-        make: fn() -> Result<Parts, DomainError>,
-    ) -> Recipe {
+    const fn recipe(name: &'static str, title: &'static str, make: fn() -> Result<Parts, DomainError>) -> Recipe {
         Recipe { name, title, make }
     }
     [

@@ -66,17 +66,15 @@ pub(super) fn three() -> Result<Parts, DomainError> {
 
 fn draw_two(theme: Theme) -> String {
     let mut canvas = Canvas::new(800.0, 240.0, theme);
-    let strands = [
-        Strand { name: "H₁⁺", phase: 0.0, forward: true },
-        Strand { name: "H₂⁻", phase: PI, forward: false },
-    ];
+    let strands =
+        [Strand { name: "H₁⁺", phase: 0.0, forward: true }, Strand { name: "H₂⁻", phase: PI, forward: false }];
     let [upper, lower] = [AXIS - RADIUS, AXIS + RADIUS];
     arc(&mut canvas, RIGHT, upper, lower, 1.0, true);
     arc(&mut canvas, LEFT, lower, upper, -1.0, true);
     helices(&mut canvas, &strands);
     let ink = canvas.ink();
-    canvas.words("E₁₂", [RIGHT + RADIUS + 14.0, AXIS + 5.0], 16.0, Anchor::Start, ink);
-    canvas.words("E₂₁", [LEFT - RADIUS - 14.0, AXIS + 5.0], 16.0, Anchor::End, ink);
+    canvas.words("E_{12}", [RIGHT + RADIUS + 14.0, AXIS + 5.0], 16.0, Anchor::Start, ink);
+    canvas.words("E_{21}", [LEFT - RADIUS - 14.0, AXIS + 5.0], 16.0, Anchor::End, ink);
     canvas.svg("Two helices run through in opposite directions and two end sections")
 }
 
@@ -98,11 +96,11 @@ fn draw_three(theme: Theme) -> String {
     canvas.arrow(&[[RIGHT, under], [0.5 * (LEFT + RIGHT), under]], &pen);
     canvas.line(&[[0.5 * (LEFT + RIGHT), under], [LEFT, under]], &pen);
     helices(&mut canvas, &strands);
-    canvas.words("E₁₂", [RIGHT + 0.25 * RADIUS + 14.0, 0.5 * (top + middle) + 5.0], 16.0, Anchor::Start, ink);
-    canvas.words("E₂₃", [LEFT - 0.25 * RADIUS - 12.0, 0.5 * (middle + bottom) + 3.0], 16.0, Anchor::End, ink);
-    canvas.words("E₃C", [RIGHT + 0.8 * RADIUS + 14.0, 0.5 * (bottom + under) + 5.0], 16.0, Anchor::Start, ink);
+    canvas.words("E_{12}", [RIGHT + 0.43 * RADIUS + 14.0, 0.5 * (top + middle) + 5.0], 16.0, Anchor::Start, ink);
+    canvas.words("E_{23}", [LEFT - 0.43 * RADIUS - 14.0, 0.5 * (middle + bottom) + 3.0], 16.0, Anchor::End, ink);
+    canvas.words("E_{3C}", [RIGHT + 0.8 * RADIUS + 14.0, 0.5 * (bottom + under) + 5.0], 16.0, Anchor::Start, ink);
     canvas.words("C", [0.5 * (LEFT + RIGHT), under + 24.0], 16.0, Anchor::Middle, ink);
-    canvas.words("EC₁", [LEFT - 1.65 * RADIUS - 12.0, 0.5 * (top + under) + 5.0], 16.0, Anchor::End, ink);
+    canvas.words("E_{C1}", [LEFT - 1.55 * RADIUS - 12.0, 0.5 * (top + under) + 5.0], 16.0, Anchor::End, ink);
     canvas.svg("Three helices, end sections, and a closure that leads from the third back to the first")
 }
 
@@ -149,7 +147,9 @@ fn helices(canvas: &mut Canvas, strands: &[Strand]) {
     for (i, strand) in strands.iter().enumerate() {
         let colour = canvas.line_colour(i);
         // a head where the strand is nearest to the eye, its name where it is highest or lowest by the ends
-        let nearest = (0.25 - strand.phase / TAU).rem_euclid(1.0) / TURNS;
+        // (two strands cross just there, and the head stands a little later)
+        let later = if strands.len() == 2 { 0.11 } else { 0.0 };
+        let nearest = (0.25 + later - strand.phase / TAU).rem_euclid(1.0) / TURNS;
         let step = if strand.forward { 0.012 } else { -0.012 };
         for turn in [nearest, nearest + 1.0 / TURNS] {
             canvas.head(place(strand, turn - step).0, place(strand, turn + 1.6 * step).0, 17.0, colour);

@@ -79,7 +79,11 @@ fn draw(contact: &Contact, theme: Theme) -> String {
     let (tip, tilt) = libm::sincos(rad(16.0));
     let eye: Vector = [tip, tilt * cos, tilt * sin];
     let right: Vector = [0.0, -sin, cos];
-    let up = [eye[1] * right[2] - eye[2] * right[1], eye[2] * right[0] - eye[0] * right[2], eye[0] * right[1] - eye[1] * right[0]];
+    let up = [
+        eye[1] * right[2] - eye[2] * right[1],
+        eye[2] * right[0] - eye[0] * right[2],
+        eye[0] * right[1] - eye[1] * right[0],
+    ];
     let end = View { right, up, eye, centre: [0.0; 3], size: (320, 270), zoom: 0.8 * zoom, cut: side.cut };
     let mut canvas = Canvas::new(780.0, 310.0, theme);
     for (view, left) in [(&side, 15.0), (&end, 440.0)] {
@@ -87,7 +91,7 @@ fn draw(contact: &Contact, theme: Theme) -> String {
         canvas.image(&view.png(&tubes), [left, 140.0 - 0.5 * height, width, height]);
     }
     let ink = canvas.ink();
-    canvas.words("a  from the side", [215.0, 296.0], 15.0, Anchor::Middle, ink);
-    canvas.words("b  from one end", [600.0, 296.0], 15.0, Anchor::Middle, ink);
+    canvas.words("(a) from the side", [215.0, 296.0], 15.0, Anchor::Middle, ink);
+    canvas.words("(b) from one end", [600.0, 296.0], 15.0, Anchor::Middle, ink);
     canvas.svg("A ply at 60 degrees from the side and from its end")
 }

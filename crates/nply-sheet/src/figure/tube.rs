@@ -160,7 +160,7 @@ impl View {
         let light = unit([0, 1, 2].map(|i| -0.45 * self.right[i] + 0.7 * self.up[i] + 0.75 * self.eye[i]));
         let half = unit([0, 1, 2].map(|i| light[i] + self.eye[i]));
         let facing = dot(normal, self.eye).max(0.0);
-        let bright = (0.36 + 0.64 * dot(normal, light).max(0.0)) * (0.5 + 0.5 * libm::sqrt(facing));
+        let bright = (0.5 + 0.5 * dot(normal, light).max(0.0)) * (0.55 + 0.45 * libm::sqrt(facing));
         let gloss = 70.0 * libm::pow(dot(normal, half).max(0.0), 28.0);
         colour.map(|c| {
             let own = if striped { 0.15 * f64::from(c) + 0.85 * 250.0 } else { f64::from(c) };

@@ -142,7 +142,8 @@ impl Window {
     /// The same with a tick at every multiple of `step`, unless there would be none or a thicket.
     fn with_step(mut self, step: Option<f64>) -> Self {
         let count = |step: f64| (self.high - self.low) / step;
-        self.step = step.map(|step| step / self.unit).filter(|step| *step > 0.0 && (1.0..=20.0).contains(&count(*step)));
+        self.step =
+            step.map(|step| step / self.unit).filter(|step| *step > 0.0 && (1.0..=20.0).contains(&count(*step)));
         self
     }
 

@@ -36,13 +36,7 @@ impl Bar {
     }
 
     /// Drawn with its left side at `x`, as high as the axes.
-    pub(super) fn add_to(
-        &self,
-        scene: &mut Scene,
-        images: &mut Vec<String>,
-        [x, top, height]: [f64; 3],
-        theme: Theme,
-    ) {
+    pub(super) fn add_to(&self, scene: &mut Scene, images: &mut Vec<String>, [x, top, height]: [f64; 3], theme: Theme) {
         if let Some(png) = raster::bar(self.map) {
             add_image(scene, images, raster::element(&png, [x, top, BAR, height]));
         }

@@ -168,11 +168,8 @@ impl<'a> Drawing<'a> {
             if corners.len() < 3 {
                 continue;
             }
-            let places: Vec<String> = corners
-                .iter()
-                .map(|&corner| self.at(corner))
-                .map(|(x, y)| format!("{x:.2} {y:.2}"))
-                .collect();
+            let places: Vec<String> =
+                corners.iter().map(|&corner| self.at(corner)).map(|(x, y)| format!("{x:.2} {y:.2}")).collect();
             scene.add(Primitive::Path(Box::new(PathData {
                 d: format!("M {} Z", places.join(" L ")),
                 fill: Some(self.theme.stroke(area.colour, false)),
@@ -234,7 +231,13 @@ impl<'a> Drawing<'a> {
     }
 }
 
-pub(super) fn words(content: String, (x, y): (f64, f64), size: u32, anchor: TextAnchor, rotate: Option<f64>) -> Primitive {
+pub(super) fn words(
+    content: String,
+    (x, y): (f64, f64),
+    size: u32,
+    anchor: TextAnchor,
+    rotate: Option<f64>,
+) -> Primitive {
     Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color: None }
 }
 
@@ -315,8 +318,7 @@ fn colours(chart: &Chart) -> Vec<usize> {
 /// The names of areas, curves and markers, each way of drawing once.
 fn entries(chart: &Chart, colours: &[usize], theme: Theme, legend: &mut Vec<Entry>) {
     let curves = chart.curves.iter().map(|c| (&c.name, Sample::Line { dash: c.dash, width: c.width }, c.pale));
-    let markers =
-        chart.markers.iter().map(|m| (&m.name, Sample::Marker { shape: m.shape, hollow: m.hollow }, false));
+    let markers = chart.markers.iter().map(|m| (&m.name, Sample::Marker { shape: m.shape, hollow: m.hollow }, false));
     let areas = chart.areas.iter().map(|a| ((&a.name, Sample::Area, false), a.colour % palette::LINES.len()));
     let mut seen: Vec<(&str, Sample, bool, usize)> = Vec::new();
     for ((name, sample, pale), colour) in curves.chain(markers).zip(colours.iter().copied()).chain(areas) {

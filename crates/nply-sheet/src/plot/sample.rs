@@ -75,9 +75,8 @@ impl<T: Clone, F: Fn(f64) -> Option<Node<T>>> Walk<T, F> {
     fn join(&mut self, (from, a): End<'_, T>, (to, b): End<'_, T>, depth: u32) {
         let middle = 0.5 * (from + to);
         let beyond = depth >= DEPTH || middle <= from.min(to) || middle >= from.max(to);
-        let apart = |a: &Node<T>, b: &Node<T>| {
-            a.place.iter().zip(&b.place).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-        };
+        let apart =
+            |a: &Node<T>, b: &Node<T>| a.place.iter().zip(&b.place).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         match (a, b) {
             (Some(a), Some(b)) if beyond => {
                 if apart(a, b) > 2.0 * LONGEST {
