@@ -58,6 +58,12 @@ pub(crate) fn zoom_of(arguments: &ArgMatches) -> f64 {
     arguments.try_get_one::<f64>("zoom").ok().flatten().copied().unwrap_or(2.0)
 }
 
+/// How wide and high the terminal is, in characters, as far as it says.
+pub(crate) fn terminal() -> (usize, usize) {
+    let said = |name: &str| std::env::var(name).ok()?.parse::<usize>().ok().filter(|size| *size > 0);
+    (said("COLUMNS").unwrap_or(80), said("LINES").unwrap_or(24))
+}
+
 /// Writes a picture: PNG if the name ends in .png, else SVG.
 pub(crate) fn picture(path: &str, svg: &str, arguments: &ArgMatches) -> Result<(), Failure> {
     let is_png = Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));

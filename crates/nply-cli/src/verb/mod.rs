@@ -5,6 +5,7 @@ mod figure;
 mod lays;
 mod locus;
 mod map;
+mod plot;
 mod solve;
 mod support;
 mod trace;
@@ -28,8 +29,17 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] =
-    [&solve::VERB, &support::VERB, &trace::VERB, &map::VERB, &locus::VERB, &contact::VERB, &lays::VERB, &figure::VERB];
+static VERBS: [&Verb; 9] = [
+    &solve::VERB,
+    &support::VERB,
+    &trace::VERB,
+    &map::VERB,
+    &plot::VERB,
+    &locus::VERB,
+    &contact::VERB,
+    &lays::VERB,
+    &figure::VERB,
+];
 
 const EXAMPLES: &str = "\
 Examples:

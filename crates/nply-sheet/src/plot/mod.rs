@@ -15,6 +15,7 @@ mod axis;
 mod bar;
 #[cfg(feature = "png")]
 mod bitmap;
+mod braille;
 mod chart;
 mod clip;
 mod field;

@@ -242,7 +242,7 @@ pub(super) fn words(
 }
 
 /// What the axes show.
-fn windows(View { chart, raster }: View<'_>) -> (Window, Window) {
+pub(super) fn windows(View { chart, raster }: View<'_>) -> (Window, Window) {
     #[allow(clippy::cast_precision_loss, reason = "fewer cells than 2⁵³")]
     let sides = raster.map(|r| (r.columns as f64, r.cells.len().checked_div(r.columns).unwrap_or(0) as f64));
     let window = |axis: &Axis, side: Option<f64>, of: fn((f64, f64)) -> f64| match (axis.fixed(), side) {
@@ -295,7 +295,7 @@ fn layout(chart: &Chart, x: &Window, y: &Window, is_field: bool, theme: Theme) -
 }
 
 /// The palette's number of every curve, then of every marker: one for each name, and each without a name its own.
-fn colours(chart: &Chart) -> Vec<usize> {
+pub(super) fn colours(chart: &Chart) -> Vec<usize> {
     let curves = chart.curves.iter().map(|c| (c.name.as_str(), c.colour));
     let all: Vec<(&str, Option<usize>)> =
         curves.chain(chart.markers.iter().map(|m| (m.name.as_str(), m.colour))).collect();
