@@ -108,10 +108,10 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
             .filter(|(_, name)| both(&hands, name))
             .map(|(hand, _)| hand)
             .collect(),
+        scales: Scales { log_x: arguments.get_flag("log-x"), log_y: arguments.get_flag("log-y") },
     };
     let sweep = input.spec.check_sweep(&flags).map_err(|error| input.refused(error))?;
     let curves = sweep.curves();
-    let scales = Scales { log_x: arguments.get_flag("log-x"), log_y: arguments.get_flag("log-y") };
     let output = arguments.get_one::<String>("output");
     if let Some(path) = output {
         if Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
@@ -120,12 +120,12 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
             draft.keep()?;
         } else {
             let theme = if arguments.get_flag("dark") { Theme::Dark } else { Theme::Light };
-            output::picture(path, &sweep.picture(&curves, scales).svg_in(theme), arguments)?;
+            output::picture(path, &sweep.picture(&curves).svg_in(theme), arguments)?;
         }
     }
     if output.is_none() || arguments.get_flag("term") {
         let (width, height) = output::terminal();
-        let charts = sweep.charts(&curves, scales);
+        let charts = sweep.charts(&curves);
         let each = (height / charts.len().max(1)).max(12);
         let text: Vec<String> = charts.iter().map(|chart| chart.text(width, each)).collect();
         return output::write(&text.join("\n"));

@@ -151,9 +151,9 @@ impl Window {
     fn decades(a: f64, b: f64) -> Self {
         let [low, high] = [a.min(b), a.max(b)].map(|end| libm::log10(end.max(f64::MIN_POSITIVE)));
         let (low, high) = if high - low < 1e-6 { (low - 0.5, high + 0.5) } else { (low, high) };
-        // whole decades are ticks, every second or third where there are many
+        // whole decades are ticks, every second or third where there are many; twos and fives where there are few
         #[allow(clippy::cast_precision_loss, reason = "5")]
-        let step = if high - low > 1.5 { Some(libm::ceil((high - low) / (TICKS as f64 + 1.0))) } else { None };
+        let step = if high - low > 0.7 { Some(libm::ceil((high - low) / (TICKS as f64 + 1.0))) } else { None };
         Self { low, high, power: 0, step, unit: 1.0, logarithmic: true }
     }
 
@@ -184,6 +184,22 @@ impl Window {
             None => generate_ticks(self.low, self.high, count),
         };
         places.into_iter().map(|tick| (tick, format.format(tick))).collect()
+    }
+
+    /// Twos and fives between the decades of a short logarithmic axis.
+    pub(super) fn between_decades(&self) -> Vec<(f64, String)> {
+        if !self.logarithmic || self.step.is_none() || self.high - self.low > 3.0 {
+            return Vec::new();
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "at most 308")]
+        let decades = libm::floor(self.low) as i32..=libm::ceil(self.high) as i32;
+        let number = |decade: i32, digit: f64| {
+            let value = digit * libm::pow(10.0, f64::from(decade));
+            let words = if (-3..4).contains(&decade) { crate::preferred::six_digits(value) } else { String::new() };
+            (f64::from(decade) + libm::log10(digit), words)
+        };
+        let all = decades.flat_map(|decade| [number(decade, 2.0), number(decade, 5.0)]);
+        all.filter(|(place, _)| (self.low..=self.high).contains(place)).collect()
     }
 
     /// How the numbers at the ticks are written: all with the same digits, as many as the steps need.

@@ -46,7 +46,7 @@ impl Screen {
             let share = k as f64 / steps;
             let shown = match dash {
                 Dash::Solid => true,
-                Dash::Dotted => *done % 3 == 0,
+                Dash::Dotted => done.is_multiple_of(3),
                 Dash::Dashed | Dash::DashDotted => *done % 5 < 2,
             };
             if shown {

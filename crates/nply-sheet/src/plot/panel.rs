@@ -131,6 +131,7 @@ impl<'a> Drawing<'a> {
             }
         }
         add_axes_and_grid(scene, &self.places, &self.layout);
+        self.add_between_decades(scene);
         self.add_areas(scene);
         self.add_curves(scene);
         self.add_markers(scene);
@@ -159,6 +160,38 @@ impl<'a> Drawing<'a> {
 
     fn frame(&self) -> Frame {
         Frame { low: [self.x.low, self.y.low], high: [self.x.high, self.y.high] }
+    }
+
+    /// What the axes do not draw themselves: ticks within a decade.
+    fn add_between_decades(&self, scene: &mut Scene) {
+        let (left, top) = (self.places.margin_left, self.places.margin_top);
+        let (right, bottom) = (self.right(), top + self.inside().1);
+        let mut line = |[x1, y1, x2, y2]: [f64; 4], stroke: &str| {
+            scene.add(Primitive::Line {
+                x1,
+                y1,
+                x2,
+                y2,
+                stroke: Color::from(stroke),
+                stroke_width: 1.0,
+                stroke_dasharray: None,
+            });
+        };
+        let theme = &self.places.theme;
+        let mut labels = Vec::new();
+        for (tick, label) in self.x.between_decades() {
+            let x = self.places.map_x(tick);
+            line([x, top, x, bottom], &theme.grid_color);
+            line([x, bottom, x, bottom + 5.0], &theme.tick_color);
+            labels.push(words(label, (x, bottom + 5.0 + f64::from(TICK)), TICK, TextAnchor::Middle, None));
+        }
+        for (tick, label) in self.y.between_decades() {
+            let y = self.places.map_y(tick);
+            line([left, y, right, y], &theme.grid_color);
+            line([left - 5.0, y, left, y], &theme.tick_color);
+            labels.push(words(label, (left - 8.0, y + 0.35 * f64::from(TICK)), TICK, TextAnchor::End, None));
+        }
+        labels.into_iter().for_each(|label| scene.add(label));
     }
 
     fn add_areas(&self, scene: &mut Scene) {

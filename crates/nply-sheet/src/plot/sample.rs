@@ -19,8 +19,10 @@ pub(crate) fn sampled<T: Clone>(
     let at = |t: f64| {
         let point = curve(t)?;
         // beyond the window nothing is told apart, so that poles are not chased
-        let place: Vec<f64> = place(&point).into_iter().map(|v| v.clamp(-2.0, 3.0)).collect();
-        place.iter().all(|v| !v.is_nan()).then_some(Node { t, point, place })
+        let place = place(&point);
+        let is_point = place.iter().all(|v| v.is_finite());
+        let place = place.into_iter().map(|v| v.clamp(-2.0, 3.0)).collect();
+        is_point.then_some(Node { t, point, place })
     };
     let mut walk = Walk { at, runs: Vec::new(), run: Vec::new() };
     let mut before: Option<(f64, Option<Node<T>>)> = None;
@@ -34,6 +36,10 @@ pub(crate) fn sampled<T: Clone>(
         before = Some((t, here));
     }
     walk.cut();
+    // crumbs of a pole
+    if walk.runs.len() > 1 {
+        walk.runs.retain(|run| run.len() > 1);
+    }
     walk.runs
 }
 

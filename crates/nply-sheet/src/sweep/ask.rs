@@ -64,12 +64,12 @@ fn key(name: &str) -> Result<&'static Key, SpecError> {
 /// The column of a name, which may leave its unit out.
 pub(super) fn column(name: &str, flag: &str) -> Result<&'static Column, SpecError> {
     let written = name.trim().replace('-', "_");
-    let bare = |column: &Column| column.name.trim_end_matches("_deg").trim_end_matches("_percent").to_owned();
+    let bare = |column: &'static Column| column.name.trim_end_matches("_deg").trim_end_matches("_percent");
     let found = COLUMNS.iter().find(|column| column.name == written);
     if let Some(column) = found.or_else(|| COLUMNS.iter().find(|column| bare(column) == written)) {
         return Ok(column);
     }
-    let near = nearest(&written, COLUMNS.iter().map(|column| column.name));
+    let near = nearest(&written, COLUMNS.iter().map(bare));
     let help = near.map_or_else(
         || "the names are those of `nply solve --format csv`".to_owned(),
         |name| format!("did you mean `{name}`?"),
@@ -81,7 +81,9 @@ pub(super) fn column(name: &str, flag: &str) -> Result<&'static Column, SpecErro
 /// A column's name for a reader.
 pub(super) fn label(column: &Column) -> String {
     let words = || column.name.trim_end_matches("_deg").replace('_', " ");
-    if column.label.is_empty() { words() } else { column.label.to_owned() }
+    // what stands in brackets explains, and there is little room
+    let short = column.label.split(" (").next().unwrap_or_default();
+    if short.is_empty() { words() } else { short.to_owned() }
 }
 
 #[cfg(test)]

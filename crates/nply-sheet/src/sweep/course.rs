@@ -66,7 +66,7 @@ impl Course {
     }
 
     /// Parameters that none of its features slips through.
-    pub(super) fn parameters(&self) -> Vec<f64> {
+    pub(super) fn parameters(&self, logarithmic: bool) -> Vec<f64> {
         match self {
             Self::Angle { .. } => {
                 // closer together at both ends, where straight strands and flat rings are approached as squares
@@ -75,7 +75,16 @@ impl Course {
                 ends.into_iter().chain(inner).chain(ends.into_iter().rev().map(|end| 90.0 - end)).collect()
             }
             Self::Value { axis, .. } => steps(axis.from, axis.to, 60),
-            Self::Lay { from, to, .. } => steps(size(*from), size(*to), 120),
+            Self::Lay { from, to, .. } => {
+                let (from, to) = (size(*from), size(*to));
+                if logarithmic && from > 0.0 && to > 0.0 {
+                    let ends = [from, to].map(libm::log);
+                    let inner = steps(ends[0], ends[1], 120).into_iter().map(libm::exp);
+                    // both ends exactly
+                    return core::iter::once(from).chain(inner.skip(1).take(119)).chain([to]).collect();
+                }
+                steps(from, to, 120)
+            }
         }
     }
 
@@ -162,7 +171,7 @@ const fn of_size(lay: Lay, size: f64) -> Lay {
 /// Its name in tables, for a reader, and its measure.
 pub(super) const fn words(lay: Lay) -> (&'static str, &'static str, Measure) {
     match lay {
-        Lay::HelicalAngle(_) => ("helical_angle", "helical angle (lay angle)", Measure::Degrees),
+        Lay::HelicalAngle(_) => ("helical_angle", "helical angle", Measure::Degrees),
         Lay::PitchAngle(_) => ("pitch_angle", "pitch angle", Measure::Degrees),
         Lay::LayLength(_) => ("lay_length", "lay length", Measure::Length),
         Lay::LayRatio(_) => ("lay_ratio", "lay length/outer diameter", Measure::Number),

@@ -4,8 +4,10 @@ use nply::Handedness;
 use nply::mechanics::{Balance, Equilibrium};
 
 use super::course::Place;
+use super::window::{Window, weights};
 use super::{Series, Sweep};
 use crate::plot::sample::sampled;
+use crate::report::Column;
 
 /// States in their order along one curve: all pressing, or all separated.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,26 +56,29 @@ impl Sweep {
     fn follow(&self, series: &Series, hand: Handedness, k: usize, curves: &mut Vec<SweepCurve>) {
         let course = &series.course;
         let at = |parameter: f64| course.at(hand, k, parameter);
-        let parameters = course.parameters();
+        let parameters = course.parameters(self.scales.log_x);
         let (low, high) = self.range();
-        let span = if high > low { high - low } else { 1.0 };
+        let across = Window::from(low, if high > low { high } else { low + 1.0 }, self.scales.log_x);
         let inside = |x: f64| (low..=high).contains(&x);
         // how far what is asked reaches, from a first look
         let first: Vec<Place> =
             parameters.iter().filter_map(|&parameter| at(parameter)).filter(|(x, _)| inside(*x)).collect();
-        let windows: Vec<(f64, f64)> = self
+        let weights = weights(&first.iter().map(|(x, _)| across.share(*x)).collect::<Vec<_>>());
+        let windows: Vec<(&Column, Window)> = self
             .shown()
-            .map(|column| {
-                let values: Vec<f64> = first.iter().filter_map(|(_, state)| column.of(state)).collect();
-                span_of(&values)
+            .map(|(column, logarithmic)| {
+                let values = first.iter().zip(&weights).filter_map(|((_, state), w)| Some((column.of(state)?, *w)));
+                (column, Window::around(&values.collect::<Vec<_>>(), logarithmic))
             })
             .collect();
         let place = |(x, state): &Place| {
-            let own = core::iter::once((x - low) / span);
-            let asked = self.shown().zip(&windows).map(|(column, (low, high))| {
-                column.of(state).map_or(0.5, |value| (value - low) / (high - low)) // without a number, no bend
-            });
-            own.chain(asked).collect()
+            // where a scale has no such number there is no bend to follow
+            let shares =
+                windows.iter().map(|(column, window)| column.of(state).map_or(0.5, |value| window.share(value)));
+            core::iter::once(across.share(*x))
+                .chain(shares)
+                .map(|share| if share.is_nan() { -2.0 } else { share })
+                .collect()
         };
         for run in sampled(at, place, &parameters) {
             for piece in within(&run, &at, &inside) {
@@ -89,22 +94,11 @@ impl Sweep {
         }
     }
 
-    /// What is asked, and what stands on the axis.
-    fn shown(&self) -> impl Iterator<Item = &'static crate::report::Column> {
-        self.ask.iter().chain(&self.against).copied()
+    /// What is asked, and what stands on the axis, each with whether its scale is logarithmic.
+    fn shown(&self) -> impl Iterator<Item = (&'static Column, bool)> {
+        let asked = self.ask.iter().map(|&column| (column, self.scales.log_y));
+        asked.chain(self.against.map(|column| (column, self.scales.log_x)))
     }
-}
-
-/// From the 5th to the 95th percentile, and half as much on either side: where most of the numbers are.
-pub(super) fn span_of(values: &[f64]) -> (f64, f64) {
-    let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
-    sorted.sort_by(f64::total_cmp);
-    let (Some(&least), Some(&most)) = (sorted.first(), sorted.last()) else { return (0.0, 1.0) };
-    let part = |percent: usize| sorted[(sorted.len() - 1) * percent / 100];
-    let (low, high) = (part(5), part(95));
-    let air = 0.5 * (high - low);
-    let (low, high) = (least.max(low - air), most.min(high + air));
-    if high > low { (low, high) } else { (low - 0.5, low + 0.5) }
 }
 
 type Run = Vec<(f64, Place)>;

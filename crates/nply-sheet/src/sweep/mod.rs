@@ -5,6 +5,7 @@ mod course;
 mod csv;
 mod curve;
 mod picture;
+mod window;
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Ply};
@@ -15,7 +16,7 @@ use crate::spec::Spec;
 use crate::{Case, ErrorKind, Lay, Place, Question, SpecError, Table};
 use course::Course;
 pub use curve::{SweepCurve, SweepPoint};
-pub use picture::Scales;
+pub use window::Scales;
 
 /// What a sweep asks besides the ply.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,6 +33,8 @@ pub struct SweepFlags {
     pub balances: Vec<Balance>,
     /// The hands; none for both.
     pub hands: Vec<Handedness>,
+    /// Which axes are logarithmic.
+    pub scales: Scales,
 }
 
 /// A sweep that is understood: every number of it is at hand, nothing is worked out yet.
@@ -56,6 +59,7 @@ pub struct Sweep {
     abscissa: Abscissa,
     against: Option<&'static Column>,
     ask: Vec<&'static Column>,
+    scales: Scales,
 }
 
 /// One ply, and how its states are found along the datum.
@@ -121,7 +125,7 @@ impl Spec {
             return Err(refused(ErrorKind::Missing, "strands", "there is no ply")); // plies hold one at least
         };
         let hands = if flags.hands.is_empty() { Handedness::BOTH.to_vec() } else { flags.hands.clone() };
-        Ok(Sweep { case, series, hands, abscissa, against, ask })
+        Ok(Sweep { case, series, hands, abscissa, against, ask, scales: flags.scales })
     }
 }
 

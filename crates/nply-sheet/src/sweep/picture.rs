@@ -4,19 +4,10 @@ use std::collections::BTreeSet;
 
 use nply::Handedness;
 
-use super::curve::span_of;
-use super::{Sweep, SweepCurve, ask};
+use super::window::{Window, weights};
+use super::{Sweep, SweepCurve, SweepPoint, ask};
 use crate::plot::{Axis, Chart, Curve, Picture};
 use crate::report::Reading;
-
-/// Which axes are logarithmic.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Scales {
-    /// The one below.
-    pub log_x: bool,
-    /// The one on the left.
-    pub log_y: bool,
-}
 
 /// The black of the palette, for what is of no ply.
 const BLACK: usize = 6;
@@ -25,14 +16,14 @@ impl Sweep {
     /// One chart for each thing asked. Colours tell numbers of strands (a left-handed ply is paler) or, where there is one, hands; thin
     /// lines are those of radial balance where both are drawn; dashed ones are separated.
     #[must_use]
-    pub fn charts(&self, curves: &[SweepCurve], scales: Scales) -> Vec<Chart> {
+    pub fn charts(&self, curves: &[SweepCurve]) -> Vec<Chart> {
         let several = self.ask.len() > 1;
         self.ask
             .iter()
             .enumerate()
             .map(|(i, _)| {
-                let chart = self.chart(i, curves, scales);
-                let chart = if several { chart.with_size(520.0, 230.0) } else { chart.with_size(520.0, 360.0) };
+                let chart = self.chart(i, curves);
+                let chart = if several { chart.with_size(520.0, 260.0) } else { chart.with_size(520.0, 360.0) };
                 if i == 0 { chart } else { chart.without_legend() }
             })
             .collect()
@@ -40,46 +31,53 @@ impl Sweep {
 
     /// All of them above each other.
     #[must_use]
-    pub fn picture(&self, curves: &[SweepCurve], scales: Scales) -> Picture {
-        Picture::column(self.charts(curves, scales))
+    pub fn picture(&self, curves: &[SweepCurve]) -> Picture {
+        Picture::column(self.charts(curves))
     }
 
-    fn chart(&self, asked: usize, curves: &[SweepCurve], scales: Scales) -> Chart {
+    fn chart(&self, asked: usize, curves: &[SweepCurve]) -> Chart {
         let column = self.ask[asked];
-        let points = || curves.iter().flat_map(|curve| &curve.points);
-        let values: Vec<f64> = points().filter_map(|point| column.of(&point.state)).collect();
-        let (low, high) = span_of(&values);
-        let largest = low.abs().max(high.abs());
-        let reading = column.measure.reading(self.known(), &self.case.units, largest);
-        let (from, to) = self.range();
-        let along = |point: &super::SweepPoint| match self.against {
+        let along = |point: &SweepPoint| match self.against {
             Some(column) => column.of(&point.state).unwrap_or(f64::NAN),
             None => point.x,
         };
-        let places: Vec<f64> = points().map(along).collect();
-        let (left, right) = if self.against.is_some() { span_of(&places) } else { (from, to) };
-        let (_, label, across) = self.axis(left.abs().max(right.abs()));
-        let mut x = axis(label, &across);
-        if !scales.log_x {
-            x = x.with_range(left * across.factor, right * across.factor);
-        } else if left > 0.0 {
-            x = x.with_range(left * across.factor, right * across.factor).logarithmic();
-        } else {
-            x = x.logarithmic();
-        }
-        let mut y = axis(ask::label(column), &reading);
-        if scales.log_y {
-            y = y.logarithmic();
-        } else {
-            let air = 0.05 * (high - low);
-            y = y.with_range((low - air) * reading.factor, (high + air) * reading.factor);
-        }
+        // poles stand on little of the axis: each number counts by how much it stands on
+        let weighed: Vec<(f64, f64, f64)> = curves
+            .iter()
+            .flat_map(|curve| {
+                let places: Vec<f64> = curve.points.iter().map(along).collect();
+                let values = curve.points.iter().map(|point| column.of(&point.state).unwrap_or(f64::NAN));
+                let weights = weights(&places);
+                places.iter().copied().zip(values).zip(weights).map(|((x, y), w)| (x, y, w)).collect::<Vec<_>>()
+            })
+            .collect();
+        let (from, to) = self.range();
+        let across = match self.against {
+            None => Window::from(from, to, self.scales.log_x),
+            Some(_) => {
+                // here what is asked, as it runs, says how much a place counts
+                let all: Vec<(f64, f64)> = weighed.iter().map(|&(x, ..)| (x, 1.0)).collect();
+                Window::around(&all, self.scales.log_x)
+            }
+        };
+        let up = Window::around(&weighed.iter().map(|&(_, y, w)| (y, w)).collect::<Vec<_>>(), self.scales.log_y);
+        let largest = |window: Window| window.low.abs().max(window.high.abs());
+        let reading = column.measure.reading(self.known(), &self.case.units, largest(up));
+        let (_, label, below) = self.axis(largest(across));
+        let ranged = |axis: Axis, (low, high): (f64, f64), factor: f64, logarithmic: bool| {
+            let axis = if logarithmic { axis.logarithmic() } else { axis };
+            // a logarithmic axis that would begin at 0 shows what it can
+            if logarithmic && low <= 0.0 { axis } else { axis.with_range(low * factor, high * factor) }
+        };
+        let ends = if self.against.is_some() { across.aired() } else { (across.low, across.high) };
+        let x = ranged(axis(label, &below), ends, below.factor, self.scales.log_x);
+        let y = ranged(axis(ask::label(column), &reading), up.aired(), reading.factor, self.scales.log_y);
         let title = if asked == 0 { self.title() } else { "" };
         let mut chart = Chart::new(title, x, y);
         for curve in curves {
             let points = curve.points.iter().map(|point| {
                 let value = column.of(&point.state).unwrap_or(f64::NAN);
-                (along(point) * across.factor, value * reading.factor)
+                (along(point) * below.factor, value * reading.factor)
             });
             chart = chart.with_curve(self.drawn(curve, curves, points.collect()));
         }
