@@ -242,7 +242,8 @@ fn what_cannot_run_is_refused() {
     assert!(refused("pretwist=0..0", "helical_angle").contains("does not change"));
     assert!(refused("pretwist 0 1", "helical_angle").contains("no range"));
     assert!(refused("force=0..1 mm", "helical_angle").contains("--sweep force"));
-    let cored = ply(&[("strands", "6"), ("stiffness-ratio", "0.75"), ("support-core-radius", "1.1")]);
+    let cored =
+        ply(&[("strands", "6"), ("stiffness-ratio", "0.75"), ("pretwist", "0"), ("support-core-radius", "1.1")]);
     let flags = SweepFlags { sweep: "force=0..1".into(), ask: vec!["moment".into()], ..SweepFlags::default() };
     assert!(cored.check_sweep(&flags).unwrap_err().to_string().contains("nply trace --plot"));
 }
