@@ -36,6 +36,17 @@ pub(crate) fn write(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::of_output)
 }
 
+/// Bytes that are no text.
+pub(crate) fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::of_output)
+}
+
+/// `--output`.
+pub(crate) fn file(help: &'static str) -> Arg {
+    Arg::new("output").long("output").short('o').value_name("FILE").help(help)
+}
+
 /// A report, as it is asked for.
 pub(crate) fn write_report(arguments: &ArgMatches, report: &Report) -> Result<(), Failure> {
     write(&match Format::of(arguments) {

@@ -13,15 +13,18 @@
 #![warn(missing_docs)]
 
 mod case;
+pub mod curves;
 mod diagnostic;
 mod dimension;
 mod double;
 pub mod figure;
 mod key;
 pub mod map;
+pub mod mesh;
 pub mod plot;
 mod preferred;
 mod quantity;
+pub mod render;
 mod report;
 mod solve;
 mod spec;

@@ -5,7 +5,10 @@ mod figure;
 mod lays;
 mod locus;
 mod map;
+mod mesh;
+mod nodes;
 mod plot;
+mod render;
 mod solve;
 mod support;
 mod trace;
@@ -29,7 +32,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 9] = [
+static VERBS: [&Verb; 12] = [
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -38,6 +41,9 @@ static VERBS: [&Verb; 9] = [
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
+    &mesh::VERB,
+    &nodes::VERB,
+    &render::VERB,
     &figure::VERB,
 ];
 
@@ -50,6 +56,7 @@ Examples:
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

@@ -1,21 +1,25 @@
 //! Figure 12: pretwisted strands before and after they are let go, with the closure.
 
-use nply::geometry::{Centreline, Contact, Vector};
-use nply::mechanics::{Equilibrium, Load, Ply, Twist};
+use core::f64::consts::{PI, TAU};
+
+use nply::geometry::{Centreline, Contact, Tube, Vector};
+use nply::mechanics::{Load, Ply, Twist};
 use nply::{DomainError, Handedness};
 
 use super::canvas::{Anchor, Canvas};
-use super::shaded::COLOURS;
-use super::tube::{Station, Tube, View};
+use super::shaded::{seen, wire};
 use super::{Data, Parts};
-use crate::plot::Theme;
+use crate::mesh::{Assembly, CORE_COLOUR};
+use crate::plot::{STRANDS, Theme};
 
 const PRETWIST: f64 = -1.0;
 const GAMMA: f64 = 0.75;
 /// L/r.
 const LENGTH: f64 = 30.0;
-/// Between stations, in strand radii.
-const STEP: f64 = 0.06;
+/// The closure's radius, and how far below the ply it lies, in strand radii.
+const CLOSURE: (f64, f64) = (0.6, 4.0);
+/// Between the ply held straight and the one let go.
+const APART: f64 = 9.0;
 
 pub(super) fn make() -> Result<Parts, DomainError> {
     let states = Ply::new(3, GAMMA)?.equilibria(Twist::Pretwist(PRETWIST), Load::NONE)?;
@@ -25,7 +29,7 @@ pub(super) fn make() -> Result<Parts, DomainError> {
         return Err(DomainError { quantity: "pretwist", value: PRETWIST, allowed });
     };
     let link = state.link();
-    let turns = state.rotation() * LENGTH / core::f64::consts::TAU;
+    let turns = state.rotation() * LENGTH / TAU;
     let mut data = Data::new(["quantity", "straight", "let_go"]);
     for (name, straight, let_go) in [
         ("helical_angle_deg", 0.0, state.contact().angle().degrees()),
@@ -44,65 +48,43 @@ pub(super) fn make() -> Result<Parts, DomainError> {
          takes up as much the other way: twist of the strands, twist of the closure and writhe add up to the same link as before. End \
          sections are left out."
     );
-    Ok(Parts::free(caption, data, move |theme| draw(&state, theme)))
+    let straight = Contact::new(3, 0.0)?;
+    let [before, after] = [(straight, 0.0), (*state.contact(), turns)];
+    let bodies = [strands(&before.0)?, closure(&before)?, strands(&after.0)?, closure(&after)?];
+    Ok(Parts::free(caption, data, move |theme| draw(&bodies, theme)))
 }
 
-/// The strands of a contact, a stripe painted on each, with the closure beside them.
-fn tubes(contact: &Contact, turns: f64) -> Vec<Tube> {
-    let cos = contact.angle().cos();
-    let half = 0.5 * LENGTH;
-    let stations = |line: &dyn Fn(f64) -> Station| {
-        // and what reaches into the picture from beyond its ends
-        let (length, half) = (LENGTH + 8.0, half + 4.0);
-        let count = libm::ceil(length / STEP);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds")]
-        let places = (0..=count as u32).map(|k| length * f64::from(k) / count - half);
-        places.map(line).collect::<Vec<Station>>()
+/// The strands of a contact, a line of their material painted on each.
+fn strands(contact: &Contact) -> Result<Assembly, DomainError> {
+    let top = LENGTH * contact.angle().cos();
+    let strand = |i: u32| {
+        let line = Centreline::new(contact, Handedness::Right, i);
+        let tube = Tube::new(line, 1.0, 0.0, top)?.twisted(PRETWIST)?;
+        Ok(wire(tube, STRANDS[i as usize % STRANDS.len()], 1))
     };
-    let mut tubes: Vec<Tube> = (0..3)
-        .map(|strand| {
-            let line = Centreline::new(contact, Handedness::Right, strand);
-            let station = |s: f64| {
-                let frame = line.frame(s);
-                let (sin, cos) = libm::sincos(PRETWIST * s);
-                // against normal and binormal a stripe turns by the pretwist alone, (44)
-                let stripe = [0, 1, 2].map(|i| cos * frame.normal[i] + sin * frame.binormal[i]);
-                Station { place: line.position(s), tangent: frame.tangent, stripe: Some(stripe) }
-            };
-            Tube { stations: stations(&station), radius: 1.0, colour: COLOURS[strand as usize % 3] }
-        })
-        .collect();
-    let closure = |s: f64| {
-        let (sin, cos_turn) = libm::sincos(-core::f64::consts::TAU * turns * s / LENGTH);
-        let place: Vector = [3.9, 0.0, s * cos];
-        Station { place, tangent: [0.0, 0.0, 1.0], stripe: Some([-sin, cos_turn, 0.0]) }
-    };
-    tubes.push(Tube { stations: stations(&closure), radius: 0.6, colour: [0x9a, 0x9a, 0x9a] });
-    tubes
+    let wires = (0..3).map(strand).collect::<Result<Vec<_>, DomainError>>()?;
+    Ok(Assembly { title: String::new(), wires, lines: Vec::new() })
 }
 
-fn draw(state: &Equilibrium, theme: Theme) -> String {
+/// The closure, as long as the ply and turned back by its turns.
+fn closure((contact, turns): &(Contact, f64)) -> Result<Assembly, DomainError> {
+    let top = LENGTH * contact.angle().cos();
+    let tube = Tube::new(Centreline::axis(), CLOSURE.0, 0.0, top)?.twisted(-TAU * turns / top)?;
+    Ok(Assembly { title: String::new(), wires: vec![wire(tube, CORE_COLOUR, 1)], lines: Vec::new() })
+}
+
+fn draw(bodies: &[Assembly; 4], theme: Theme) -> String {
+    let [straight, beside, coiled, below] = bodies;
+    let at = |up: f64| -> Vector { [0.0, up, 0.0] };
+    let (upper, lower) = (0.5 * APART, -0.5 * APART);
+    let placed =
+        [(straight, at(upper)), (beside, at(upper - CLOSURE.1)), (coiled, at(lower)), (below, at(lower - CLOSURE.1))];
     let mut canvas = Canvas::new(780.0, 400.0, theme);
-    let half = 0.5 * LENGTH;
-    let turns = state.rotation() * LENGTH / core::f64::consts::TAU;
-    let straight = Contact::new(3, 0.0);
-    let rows = [(straight.ok(), 0.0, "a"), (Some(*state.contact()), turns, "b")];
-    for (i, (contact, turns, letter)) in rows.into_iter().enumerate() {
-        let Some(contact) = contact else { continue };
-        let top = 8.0 + 195.0 * i as f64;
-        let half = half * contact.angle().cos();
-        let view = View {
-            right: [0.0, 0.0, 1.0],
-            up: [-1.0, 0.0, 0.0],
-            eye: [0.0, -1.0, 0.0],
-            centre: [0.9, 0.0, 0.0],
-            size: (700, 185),
-            zoom: 22.0,
-            cut: (-half, half),
-        };
-        canvas.image(&view.png(&tubes(&contact, turns)), [60.0, top, 700.0, 185.0]);
-        let ink = canvas.ink();
-        canvas.words(&format!("({letter})"), [26.0, top + 80.0], 17.0, Anchor::Middle, ink);
+    // with a strand in front of the two others
+    canvas.image(&seen(&placed, (700, 380), [PI, 0.0, 0.0]), [60.0, 10.0, 700.0, 380.0]);
+    let ink = canvas.ink();
+    for (letter, up) in [("(a)", 105.0), ("(b)", 295.0)] {
+        canvas.words(letter, [30.0, up], 17.0, Anchor::Middle, ink);
     }
     canvas.svg("Three twisted strands held straight, and coiled after they were let go, with their closure")
 }

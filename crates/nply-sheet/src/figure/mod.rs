@@ -25,7 +25,6 @@ mod gallery;
 mod link;
 mod pieces;
 mod shaded;
-mod tube;
 
 use std::sync::Arc;
 

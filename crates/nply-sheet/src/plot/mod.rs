@@ -37,5 +37,6 @@ pub use bitmap::{BitmapError, png};
 pub use chart::{Area, Chart, Curve, Dash, Marker, MarkerShape, Note, Side};
 pub use field::Field;
 pub use palette::ColourMap;
+pub(crate) use palette::STRANDS;
 pub use picture::{Panel, Picture};
 pub use theme::Theme;

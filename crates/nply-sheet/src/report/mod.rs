@@ -27,6 +27,7 @@ pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
 
 pub(crate) use csv::unit_suffix;
+pub(crate) use json::header;
 
 use crate::{Case, Question, SpecError, solve::Solution};
 

@@ -3,19 +3,25 @@
 mod angle;
 mod branch;
 mod centreline;
+mod chords;
+mod clearance;
 mod contact;
 mod contact_line;
 mod densest_helix;
 mod lay;
 mod section;
 mod special_lay;
+mod tube;
 
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branch_at_anomaly, branches};
 pub use centreline::{Centreline, FrenetFrame, Vector};
+pub use chords::{ChordLay, Chords};
+pub use clearance::{Approach, Clearance, Wire, Wires};
 pub use contact::Contact;
 pub(crate) use contact::check_strands;
 pub use contact_line::ContactLine;
 pub use densest_helix::DensestHelix;
 pub use section::Section;
 pub use special_lay::{SpecialLays, packing_fraction};
+pub use tube::{Course, DoubleHelix, Ends, Facets, Fit, Place, Tube, TubeMesh};

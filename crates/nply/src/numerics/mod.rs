@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod dual;
+pub(crate) mod foot;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod kepler;
@@ -12,3 +13,4 @@ pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod vector;

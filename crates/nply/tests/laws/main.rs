@@ -4,6 +4,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod chords;
+mod clearance;
 mod equilibrium;
 mod geometry;
 mod holding;
@@ -12,6 +14,7 @@ mod section;
 mod separation;
 mod stability;
 mod support;
+mod tube;
 
 use nply::Handedness;
 use proptest::prelude::*;

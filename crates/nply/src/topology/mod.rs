@@ -1,0 +1,17 @@
+//! Link, twist and writhe of any curve, as the Appendix of the paper defines them: (A.2)–(A.4).
+//!
+//! Signs are those of the integral (A.4): a crossing is positive where it is right-handed, so that a right-handed trefoil has positive
+//! writhe, and a right-handed plectoneme, whose strands run in opposite directions, negative writhe.
+
+mod curve;
+mod error;
+mod extension;
+mod linking;
+mod segments;
+mod writhe;
+
+pub use curve::Curve;
+pub use error::CurveError;
+pub use extension::Along;
+pub use linking::{LinkingIntegral, LinkingNumber, linking_integral, linking_matrix, linking_number};
+pub use writhe::Writhe;
