@@ -68,3 +68,19 @@ fn the_tables_add_up() {
         }
     }
 }
+
+/// Beside the tables: ten turns at 30° have ten times the entries' writhe a turn, and what the ends add stays small.
+#[test]
+fn a_finite_ply_is_near_its_table() {
+    for name in ["table1", "table2"] {
+        let data = data(name);
+        let column = |name: &str| data.numbers(&[], name).collect::<Vec<f64>>();
+        let (constant, cosine) = (column("constant"), column("cosine"));
+        let (writhe, ends) = (column("writhe_of_ten_turns_at_30_deg"), column("of_it_from_ends"));
+        for i in 0..constant.len() {
+            let leading = 10.0 * (constant[i] + cosine[i] * 30_f64.to_radians().cos());
+            close(writhe[i] - ends[i], leading, 1e-9);
+            assert!(ends[i].abs() < 0.5 && ends[i] != 0.0, "{}", ends[i]);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 pub(crate) mod dual;
 pub(crate) mod foot;
+pub(crate) mod gauss;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod kepler;

@@ -58,13 +58,8 @@ pub enum CurveError {
         /// The two segments.
         segments: [usize; 2],
     },
-    /// Two segments pass too near to each other for rounding to tell on which side.
-    TooNear {
-        /// Which curve each belongs to: both 0 where a curve meets itself.
-        curves: [usize; 2],
-        /// The two segments.
-        segments: [usize; 2],
-    },
+    /// Along every direction that was tried an end of a segment is seen on another one, or all but so.
+    Undecided,
     /// Something is asked of an open curve that closed ones alone have.
     Open {
         /// Which curve.
@@ -74,6 +69,11 @@ pub enum CurveError {
     Closed,
     /// Both ends of an open curve stand in one place, so that no line runs through them.
     EndsMeet,
+    /// A segment runs across the axis of a polar writhe.
+    Level {
+        /// Which one.
+        segment: usize,
+    },
     /// A number that goes with the curve is outside its range.
     Domain(crate::DomainError),
     /// Vectors along a curve are not as many as its points or segments.
@@ -141,15 +141,19 @@ impl fmt::Display for CurveError {
                 pair(out, curves, segments)?;
                 write!(out, " touch or cross: which passes the other on which side is not defined")
             }
-            Self::TooNear { curves, segments } => {
-                pair(out, curves, segments)?;
-                write!(out, " pass each other within rounding: which is on which side cannot be told")
-            }
+            Self::Undecided => write!(
+                out,
+                "along every direction that was tried an end of one segment is seen on another: crossings cannot be counted"
+            ),
             Self::Open { curve } => {
                 write!(out, "curve {curve} (counted from 0) is open: this is defined for closed curves alone")
             }
             Self::Closed => write!(out, "the curve is closed: it has no ends"),
             Self::EndsMeet => write!(out, "both ends of the curve stand in one place: no line runs through them"),
+            Self::Level { segment } => write!(
+                out,
+                "segment {segment} (counted from 0) runs across the axis, where a polar writhe has no height for it: turn the axis a little"
+            ),
             Self::Domain(error) => error.fmt(out),
             Self::FrameLength { vectors, needed } => {
                 write!(out, "{vectors} vectors go with a curve that takes {needed}")
@@ -174,7 +178,6 @@ impl CurveError {
     pub fn of_curves(self, places: [usize; 2]) -> Self {
         match self {
             Self::Touch { curves, segments } => Self::Touch { curves: curves.map(|k| places[k]), segments },
-            Self::TooNear { curves, segments } => Self::TooNear { curves: curves.map(|k| places[k]), segments },
             Self::Open { curve } => Self::Open { curve: places[curve] },
             other => other,
         }

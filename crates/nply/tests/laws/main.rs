@@ -6,9 +6,11 @@ mod common;
 
 mod chords;
 mod clearance;
+mod closed_ply;
 mod equilibrium;
 mod geometry;
 mod holding;
+mod ply_writhe;
 mod refusal;
 mod section;
 mod separation;
