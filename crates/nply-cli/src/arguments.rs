@@ -6,7 +6,7 @@ use nply_sheet::construction::CONSTRUCTION_KEYS;
 use nply_sheet::{KEYS, Key, Kind, Table};
 
 pub(crate) fn plot() -> Arg {
-    Arg::new("plot").long("plot").value_name("FILE").help("Draw a picture (SVG)")
+    Arg::new("plot").long("plot").value_name("FILE").help("Draw a picture (SVG, or PNG if the name ends in .png)")
 }
 
 pub(crate) fn count(name: &'static str, help: &'static str, most: i64) -> Arg {

@@ -56,12 +56,40 @@ pub(crate) fn write_report(arguments: &ArgMatches, report: &Report) -> Result<()
     })
 }
 
+/// How large PNG pictures are.
+pub(crate) fn zoom() -> Arg {
+    Arg::new("zoom")
+        .long("zoom")
+        .value_name("NUMBER")
+        .value_parser(clap::value_parser!(f64))
+        .help("Pixels of a PNG to one of the SVG (2)")
+}
+
+pub(crate) fn zoom_of(arguments: &ArgMatches) -> f64 {
+    arguments.try_get_one::<f64>("zoom").ok().flatten().copied().unwrap_or(2.0)
+}
+
+/// How wide and high the terminal is, in characters, as far as it says.
+pub(crate) fn terminal() -> (usize, usize) {
+    let said = |name: &str| std::env::var(name).ok()?.parse::<usize>().ok().filter(|size| *size > 0);
+    (said("COLUMNS").unwrap_or(80), said("LINES").unwrap_or(24))
+}
+
+/// Writes a picture: PNG if the name ends in .png, else SVG.
+pub(crate) fn picture(path: &str, svg: &str, arguments: &ArgMatches) -> Result<(), Failure> {
+    let is_png = Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    let pixels = is_png.then(|| nply_sheet::plot::png(svg, zoom_of(arguments))).transpose();
+    let pixels = pixels
+        .map_err(|error| Failure::File { what: format!("cannot draw {path}"), error: io::Error::other(error) })?;
+    let mut draft = Draft::new(path)?;
+    draft.write(pixels.as_deref().unwrap_or(svg.as_bytes()))?;
+    draft.keep()
+}
+
 /// Draws the picture, where one is asked for.
 pub(crate) fn plot(arguments: &ArgMatches, svg: impl Fn() -> String) -> Result<(), Failure> {
     let Some(path) = arguments.get_one::<String>("plot") else { return Ok(()) };
-    let mut draft = Draft::new(path)?;
-    draft.write(svg().as_bytes())?;
-    draft.keep()
+    picture(path, &svg(), arguments)
 }
 
 /// A file that gets its name when it is whole: until then it stands beside it as a `.part`, and is removed if nothing comes of it. What is

@@ -18,6 +18,7 @@ pub mod curves;
 mod diagnostic;
 mod dimension;
 mod double;
+pub mod figure;
 mod key;
 pub mod map;
 pub mod mesh;
@@ -30,6 +31,7 @@ mod report;
 mod solve;
 mod spec;
 mod study;
+pub mod sweep;
 pub mod table;
 mod unit;
 

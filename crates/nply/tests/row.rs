@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::disallowed_methods)]
 
 use nply::Handedness;
-use nply::geometry::HelicalAngle;
+use nply::geometry::{Contact, HelicalAngle};
 use nply::mechanics::{Along, Balance, Equilibrium, Load, Ply, RowState, Stability, Twist};
 use proptest::prelude::*;
 
@@ -270,4 +270,39 @@ fn data_that_are_refused() {
     assert_eq!(along(&ply, Along::Force, &[0.0], twist, nowhere), Ok(())); // the varied datum's own value is ignored
     let pressed = ply.with_external_pressure(-0.1).unwrap();
     assert_eq!(along(&pressed, Along::Force, &[0.0], twist, none), Err("external_pressure"));
+}
+
+/// The datum that holds an angle, put back in, gives that angle again.
+#[test]
+fn a_point_of_a_row_is_a_state() {
+    for balance in Balance::BOTH {
+        for (strands, degrees) in [(2, 12.0), (2, 63.0), (3, 31.0), (3, 71.0), (6, 20.0)] {
+            let ply = Ply::with_balance(strands, 0.7, balance).unwrap();
+            let contact = Contact::new(strands, f64::to_radians(degrees)).unwrap();
+            let (twist, load) = (Twist::Pretwist(-0.3), Load { force: 0.2, moment: -0.4 });
+            for hand in Handedness::BOTH {
+                for along in Along::ALL {
+                    let found = ply.equilibrium_along(along, contact, hand, twist, load);
+                    let Ok((x, state)) = found else {
+                        assert_eq!(along, Along::StiffnessRatio, "{found:?}"); // it would have to be negative
+                        continue;
+                    };
+                    assert!(state.balance_residual().abs() < 1e-12, "{along:?}: {state:?}");
+                    let again = match along {
+                        Along::Force => ply.equilibria(twist, Load { force: x, ..load }),
+                        Along::Moment => ply.equilibria(twist, Load { moment: x, ..load }),
+                        Along::Pretwist => ply.equilibria(Twist::Pretwist(x), load),
+                        Along::StrandTwist => ply.equilibria(Twist::StrandTwist(x), load),
+                        Along::StiffnessRatio => {
+                            Ply::with_balance(strands, x, balance).unwrap().equilibria(twist, load)
+                        }
+                    };
+                    let near = |s: &nply::mechanics::Equilibrium| {
+                        s.handedness() == hand && (s.contact().angle().degrees() - degrees).abs() < 1e-9
+                    };
+                    assert!(again.unwrap().iter().any(near), "{along:?} {x} {strands} {degrees} {hand:?}");
+                }
+            }
+        }
+    }
 }

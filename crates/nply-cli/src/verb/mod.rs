@@ -3,6 +3,7 @@
 mod actuator;
 mod clearance;
 mod contact;
+mod figure;
 mod fit_check;
 mod lays;
 mod link;
@@ -10,6 +11,7 @@ mod locus;
 mod map;
 mod mesh;
 mod nodes;
+mod plot;
 mod preset;
 mod render;
 mod solve;
@@ -43,6 +45,7 @@ static VERBS: &[&Verb] = &[
     &support::VERB,
     &trace::VERB,
     &map::VERB,
+    &plot::VERB,
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
@@ -57,6 +60,7 @@ static VERBS: &[&Verb] = &[
     &mesh::VERB,
     &nodes::VERB,
     &render::VERB,
+    &figure::VERB,
 ];
 
 const EXAMPLES: &str = "\

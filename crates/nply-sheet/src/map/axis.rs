@@ -102,7 +102,7 @@ impl MapDatum {
     }
 
     /// The data with another value of it.
-    pub(super) fn set(self, mut data: Data, value: f64) -> Data {
+    pub(crate) fn set(self, mut data: Data, value: f64) -> Data {
         match (self, &mut data.ends) {
             (Self::Force, Ends::Loads(Load { force, .. }) | Ends::Rotation { force, .. }) => *force = value,
             (Self::Moment, Ends::Loads(Load { moment, .. }) | Ends::Length { moment, .. }) => *moment = value,
@@ -118,7 +118,7 @@ impl MapDatum {
     }
 
     /// The datum in which the balance is linear, if it is.
-    pub(super) const fn along(self) -> Option<Along> {
+    pub(crate) const fn along(self) -> Option<Along> {
         match self {
             Self::Force => Some(Along::Force),
             Self::Moment => Some(Along::Moment),
@@ -145,7 +145,7 @@ pub struct Axis {
 
 impl Axis {
     /// The one datum in which two sets of data differ.
-    pub(super) fn between(start: &Data, end: &Data, entry: &Entry, count: u32) -> Result<Self, SpecError> {
+    pub(crate) fn between(start: &Data, end: &Data, entry: &Entry, count: u32) -> Result<Self, SpecError> {
         let changed = |datum: &MapDatum| datum.get(start).map(f64::to_bits) != datum.get(end).map(f64::to_bits);
         let mut found = MapDatum::ALL.into_iter().filter(changed);
         match (found.next(), found.next()) {

@@ -32,6 +32,33 @@ impl Frame {
         (from <= to).then_some((from, to))
     }
 
+    /// The part of a polygon within the frame (Sutherland and Hodgman): cut by one side after the other. Empty where a corner is not
+    /// finite.
+    pub(super) fn polygon(&self, corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        if !corners.iter().flatten().all(|v| v.is_finite()) {
+            return Vec::new();
+        }
+        let mut kept: Vec<[f64; 2]> = corners.into_iter().map(|corner| corner.map(|v| v.clamp(-FAR, FAR))).collect();
+        for i in 0..2 {
+            for (side, sign) in [(self.low[i], 1.0), (self.high[i], -1.0)] {
+                let inside = |p: &[f64; 2]| sign * (p[i] - side) >= 0.0;
+                let before = kept.iter().cycle().skip(kept.len().saturating_sub(1));
+                let mut cut = Vec::new();
+                for (here, last) in kept.iter().zip(before) {
+                    if inside(here) != inside(last) {
+                        let t = (side - last[i]) / (here[i] - last[i]);
+                        cut.push([0, 1].map(|k| if k == i { side } else { (1.0 - t) * last[k] + t * here[k] }));
+                    }
+                    if inside(here) {
+                        cut.push(*here);
+                    }
+                }
+                kept = cut;
+            }
+        }
+        kept
+    }
+
     /// The curve in pieces: cut where it leaves the frame and where a point is not finite.
     pub(super) fn pieces(&self, points: impl Iterator<Item = [f64; 2]>) -> Vec<Vec<[f64; 2]>> {
         let mut pieces = Vec::new();
@@ -84,5 +111,19 @@ mod tests {
         assert_eq!(pieces[0], [[0.0, 1.0], [1.0, 1.0], [1.5, 2.0]]);
         assert_eq!(pieces[1], [[2.5, 2.0], [3.0, 1.0]]);
         assert_eq!((pieces.len(), pieces[2][0]), (3, [3.5, 0.5]));
+    }
+
+    #[test]
+    fn a_polygon_loses_what_is_outside() {
+        let frame = Frame { low: [0.0, 0.0], high: [4.0, 2.0] };
+        let area = |p: &[[f64; 2]]| {
+            let cross = |i: usize| p[i][0] * p[(i + 1) % p.len()][1] - p[(i + 1) % p.len()][0] * p[i][1];
+            0.5 * (0..p.len()).map(cross).sum::<f64>()
+        };
+        let square = frame.polygon(vec![[1.0, 1.0], [9.0, 1.0], [9.0, 9.0], [1.0, 9.0]]);
+        assert_eq!(area(&square), 3.0);
+        assert_eq!(frame.polygon(vec![[5.0, 5.0], [6.0, 5.0], [6.0, 6.0]]).len(), 0);
+        assert_eq!(frame.polygon(vec![[f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]]).len(), 0);
+        assert_eq!(frame.polygon(Vec::new()).len(), 0);
     }
 }

@@ -1,7 +1,7 @@
 //! A raster over a rectangle.
 
 use super::raster::Raster;
-use super::{Axis, Chart, ColourMap, Curve, Marker, picture};
+use super::{Axis, Chart, ColourMap, Curve, Marker, Theme, picture};
 
 /// A quantity, or a category, over a rectangle of cells, with curves and points over it.
 ///
@@ -76,7 +76,13 @@ impl Field {
     /// The field as a picture of its own.
     #[must_use]
     pub fn svg(&self) -> String {
-        picture::draw(&[self.view()], picture::Direction::Row)
+        self.svg_in(Theme::Light)
+    }
+
+    /// The same on light or dark ground.
+    #[must_use]
+    pub fn svg_in(&self, theme: Theme) -> String {
+        picture::draw(&[self.view()], picture::Arrangement::ROW, theme)
     }
 
     pub(super) fn view(&self) -> picture::View<'_> {

@@ -12,20 +12,31 @@
 //! ```
 
 mod axis;
+mod bar;
+#[cfg(feature = "png")]
+mod bitmap;
+mod braille;
 mod chart;
 mod clip;
 mod field;
 #[cfg(test)]
 mod hostile;
+mod legend;
 mod palette;
 mod panel;
 mod picture;
 mod raster;
+pub(crate) mod sample;
+mod symbol;
 mod text;
+pub(crate) mod theme;
 
 pub use axis::Axis;
-pub use chart::{Chart, Curve, Marker, MarkerShape};
+#[cfg(feature = "png")]
+pub use bitmap::{BitmapError, png};
+pub use chart::{Area, Chart, Curve, Dash, Marker, MarkerShape, Note, Side};
 pub use field::Field;
 pub use palette::ColourMap;
 pub(crate) use palette::STRANDS;
 pub use picture::{Panel, Picture};
+pub use theme::Theme;

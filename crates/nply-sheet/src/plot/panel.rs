@@ -2,75 +2,42 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kuva::plot::scatter::MarkerShape as Kuva;
-use kuva::plot::{LegendEntry, LegendShape};
 use kuva::render::axis::{add_axes_and_grid, add_labels_and_title};
 use kuva::render::color::Color;
 use kuva::render::layout::{AxisLabelOverlap, ComputedLayout, Layout};
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor, render_legend_at};
-use kuva::render::render_utils::generate_ticks;
+use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 
 use super::axis::{TICKS, Window};
+use super::bar::Bar;
 use super::clip::Frame;
+use super::legend::{self, Entry, Sample};
 use super::picture::{View, add_image};
 use super::raster::{self, Meaning};
-use super::{Axis, Chart, ColourMap, MarkerShape, palette, text};
+use super::{Axis, Chart, Side, Theme, palette, symbol, text};
 
-/// The inside of the axes, in pixels.
-const INSIDE: (f64, f64) = (460.0, 340.0);
 const TITLE: u32 = 16;
-const LABEL: u32 = 14;
-const TICK: u32 = 12;
+pub(super) const LABEL: u32 = 14;
+pub(super) const TICK: u32 = 12;
 /// Between the axes and what stands on their right.
-const GAP: f64 = 18.0;
-/// The colour bar's width.
-const BAR: f64 = 16.0;
-/// Dashes and the gaps between them.
-const DASH: &str = "5 3";
-/// The names a legend has room for.
-const NAMES: usize = 17;
+pub(super) const GAP: f64 = 18.0;
+/// How much of its colour an area has.
+const THIN: f64 = 0.16;
 
 /// A panel with its places found.
 pub(super) struct Drawing<'a> {
     view: View<'a>,
+    theme: Theme,
     x: Window,
     y: Window,
     layout: Layout,
     places: ComputedLayout,
     bar: Option<Bar>,
     colours: Vec<usize>,
-    legend: Vec<LegendEntry>,
-}
-
-/// A colour bar with its labels.
-struct Bar {
-    map: ColourMap,
-    window: Window,
-    ticks: Vec<(f64, String)>,
-    label: String,
-    digits: f64,
-}
-
-impl Bar {
-    fn of(axis: &Axis, map: ColourMap) -> Option<Self> {
-        let (low, high) = axis.fixed()?;
-        let window = Window::exact(low, high);
-        let format = window.format();
-        let ticks: Vec<(f64, String)> =
-            generate_ticks(window.low, window.high, TICKS).into_iter().map(|t| (t, format.format(t))).collect();
-        let digits = ticks.iter().map(|(_, t)| text::width(t, f64::from(TICK))).fold(0.0, f64::max);
-        let label = axis.label(&window);
-        Some(Self { map, window, ticks, label, digits })
-    }
-
-    fn width(&self) -> f64 {
-        let label = if self.label.is_empty() { 0.0 } else { 8.0 + f64::from(LABEL) };
-        GAP + BAR + 8.0 + self.digits + label
-    }
+    legend: Vec<Entry>,
 }
 
 impl<'a> Drawing<'a> {
-    pub(super) fn of(view: View<'a>) -> Self {
+    pub(super) fn of(view: View<'a>, theme: Theme) -> Self {
         let chart = view.chart;
         let (x, y) = windows(view);
         let colours = colours(chart);
@@ -78,49 +45,48 @@ impl<'a> Drawing<'a> {
         let mut bar = None;
         match view.raster.map(|raster| &raster.meaning) {
             Some(Meaning::Values { bar: axis, map }) => bar = Bar::of(axis, *map),
-            Some(Meaning::Categories(names)) => legend.extend(names.iter().enumerate().map(|(i, name)| LegendEntry {
-                label: text::name(name),
-                color: hex(raster::area(i)),
-                shape: LegendShape::Rect,
-                dasharray: None,
+            Some(Meaning::Categories(names)) => legend.extend(names.iter().enumerate().map(|(i, name)| {
+                let [r, g, b] = raster::area(i);
+                Entry { label: text::name(name), colour: Color::Rgb(r, g, b), sample: Sample::Cell }
             })),
             None => {}
         }
         if chart.legend {
-            entries(chart, &colours, &mut legend);
+            entries(chart, &colours, theme, &mut legend);
         }
-        if legend.len() > NAMES {
-            let more = format!("… and {} more", legend.len() + 1 - NAMES);
-            legend.truncate(NAMES - 1);
-            legend.push(LegendEntry {
-                label: more,
-                color: "none".to_owned(),
-                shape: LegendShape::Rect,
-                dasharray: None,
-            });
-        }
-        let layout = layout(chart, &x, &y, view.raster.is_some());
+        legend::fit(&mut legend);
+        let layout = layout(chart, &x, &y, view.raster.is_some(), theme);
         let mut places = ComputedLayout::from_layout(&layout);
         places.margin_left += 6.0;
-        let names = legend.iter().map(|entry| text::width(&entry.label, f64::from(TICK))).fold(0.0, f64::max);
-        let side = bar.as_ref().map_or(0.0, Bar::width) + if legend.is_empty() { 0.0 } else { GAP + 25.0 + names };
+        let names = if legend.is_empty() { 0.0 } else { GAP + legend::width(&legend, TICK) };
+        let side = bar.as_ref().map_or(0.0, Bar::width) + names;
         places.margin_right = places.margin_right.max(side + 12.0);
-        let mut drawing = Self { view, x, y, layout, places, bar, colours, legend };
+        let mut drawing = Self { view, theme, x, y, layout, places, bar, colours, legend };
         drawing.fit();
         drawing
     }
 
+    /// Between the axes, in pixels.
+    fn inside(&self) -> (f64, f64) {
+        self.view.chart.size
+    }
+
     /// The picture's size follows from the margins.
     fn fit(&mut self) {
+        let (width, height) = self.inside();
         let places = &mut self.places;
-        places.width = places.margin_left + INSIDE.0 + places.margin_right;
-        places.height = places.margin_top + INSIDE.1 + places.margin_bottom;
+        places.width = places.margin_left + width + places.margin_right;
+        places.height = places.margin_top + height + places.margin_bottom;
         places.recompute_transforms();
     }
 
     /// Axes above each other begin and end at the same places.
-    pub(super) fn align_sides(drawings: &mut [Self]) {
-        let widest = |of: fn(&Self) -> f64| drawings.iter().map(of).fold(0.0, f64::max);
+    pub(super) fn align_sides<'d>(drawings: impl Iterator<Item = &'d mut Self>)
+    where
+        'a: 'd,
+    {
+        let drawings: Vec<&mut Self> = drawings.collect();
+        let widest = |of: fn(&Self) -> f64| drawings.iter().map(|d| of(d)).fold(0.0, f64::max);
         let (left, right) = (widest(|d| d.places.margin_left), widest(|d| d.places.margin_right));
         for drawing in drawings {
             (drawing.places.margin_left, drawing.places.margin_right) = (left, right);
@@ -151,7 +117,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn right(&self) -> f64 {
-        self.places.margin_left + INSIDE.0
+        self.places.margin_left + self.inside().0
     }
 
     pub(super) fn add_to(&self, scene: &mut Scene, images: &mut Vec<String>) {
@@ -159,23 +125,29 @@ impl<'a> Drawing<'a> {
             let runs_back = |axis: &Axis| axis.fixed().is_some_and(|(from, to)| from > to);
             let mirrored = [runs_back(&self.view.chart.x), runs_back(&self.view.chart.y)];
             if let Some(png) = raster.png(mirrored) {
-                let place = [self.places.margin_left, self.places.margin_top, INSIDE.0, INSIDE.1];
+                let (width, height) = self.inside();
+                let place = [self.places.margin_left, self.places.margin_top, width, height];
                 add_image(scene, images, raster::element(&png, place));
             }
         }
         add_axes_and_grid(scene, &self.places, &self.layout);
+        self.add_between_decades(scene);
+        self.add_areas(scene);
         self.add_curves(scene);
         self.add_markers(scene);
+        self.add_notes(scene);
         add_labels_and_title(scene, &self.places, &self.layout);
         let mut side = self.right() + GAP;
         if let Some(bar) = &self.bar {
-            self.add_bar(bar, side, scene, images);
+            bar.add_to(scene, images, [side, self.places.margin_top, self.inside().1], self.theme);
             side += bar.width();
         }
-        if !self.legend.is_empty() {
-            let (x, y) = (side - 5.0, self.places.margin_top + 4.0);
-            render_legend_at(&self.legend, None, None, false, scene, x, y, 0.0, TICK, &self.places.theme);
-        }
+        legend::draw(&self.legend, scene, (side, self.places.margin_top - 2.0), TICK, &self.ground());
+    }
+
+    fn ground(&self) -> Color {
+        let [r, g, b] = self.theme.ground();
+        Color::Rgb(r, g, b)
     }
 
     fn at(&self, point: [f64; 2]) -> (f64, f64) {
@@ -190,17 +162,70 @@ impl<'a> Drawing<'a> {
         Frame { low: [self.x.low, self.y.low], high: [self.x.high, self.y.high] }
     }
 
+    /// What the axes do not draw themselves: ticks within a decade.
+    fn add_between_decades(&self, scene: &mut Scene) {
+        let (left, top) = (self.places.margin_left, self.places.margin_top);
+        let (right, bottom) = (self.right(), top + self.inside().1);
+        let mut line = |[x1, y1, x2, y2]: [f64; 4], stroke: &str| {
+            scene.add(Primitive::Line {
+                x1,
+                y1,
+                x2,
+                y2,
+                stroke: Color::from(stroke),
+                stroke_width: 1.0,
+                stroke_dasharray: None,
+            });
+        };
+        let theme = &self.places.theme;
+        let mut labels = Vec::new();
+        for (tick, label) in self.x.between_decades() {
+            let x = self.places.map_x(tick);
+            line([x, top, x, bottom], &theme.grid_color);
+            line([x, bottom, x, bottom + 5.0], &theme.tick_color);
+            labels.push(words(label, (x, bottom + 5.0 + f64::from(TICK)), TICK, TextAnchor::Middle, None));
+        }
+        for (tick, label) in self.y.between_decades() {
+            let y = self.places.map_y(tick);
+            line([left, y, right, y], &theme.grid_color);
+            line([left - 5.0, y, left, y], &theme.tick_color);
+            labels.push(words(label, (left - 8.0, y + 0.35 * f64::from(TICK)), TICK, TextAnchor::End, None));
+        }
+        labels.into_iter().for_each(|label| scene.add(label));
+    }
+
+    fn add_areas(&self, scene: &mut Scene) {
+        for area in &self.view.chart.areas {
+            let corners: Vec<[f64; 2]> = area.corners.iter().map(|&p| self.scaled(p)).collect();
+            let corners = self.frame().polygon(corners);
+            if corners.len() < 3 {
+                continue;
+            }
+            let places: Vec<String> =
+                corners.iter().map(|&corner| self.at(corner)).map(|(x, y)| format!("{x:.2} {y:.2}")).collect();
+            scene.add(Primitive::Path(Box::new(PathData {
+                d: format!("M {} Z", places.join(" L ")),
+                fill: Some(self.theme.stroke(area.colour, false)),
+                stroke: Color::None,
+                stroke_width: 0.0,
+                opacity: Some(THIN),
+                stroke_dasharray: None,
+            })));
+        }
+    }
+
     fn add_curves(&self, scene: &mut Scene) {
         for (curve, &colour) in self.view.chart.curves.iter().zip(&self.colours) {
+            let stroke = self.theme.stroke(colour, curve.pale);
             for piece in self.frame().pieces(curve.points.iter().map(|&p| self.scaled(p))) {
                 let points: Vec<(f64, f64)> = piece.into_iter().map(|p| self.at(p)).collect();
                 match points[..] {
-                    [(cx, cy)] => scene.add(disc(cx, cy, 2.0, colour)),
+                    [place] => scene.add(symbol::disc(place, curve.width, stroke.clone(), self.ground(), 1.0)),
                     _ => scene.add(Primitive::PolyLine {
                         points,
-                        stroke: line_colour(colour),
-                        stroke_width: 2.0,
-                        stroke_dasharray: curve.dashed.then(|| DASH.to_owned()),
+                        stroke: stroke.clone(),
+                        stroke_width: curve.width,
+                        stroke_dasharray: curve.dash.pattern(),
                     }),
                 }
             }
@@ -212,67 +237,62 @@ impl<'a> Drawing<'a> {
         for (marker, &colour) in chart.markers.iter().zip(&self.colours[chart.curves.len()..]) {
             let point = self.scaled((marker.x, marker.y));
             if self.frame().holds(point) {
-                scene.add(symbol(marker.shape, self.at(point), colour));
+                let colour = self.theme.stroke(colour, false);
+                scene.add(symbol::marker(marker.shape, self.at(point), marker.hollow, colour, self.ground()));
             }
         }
     }
 
-    fn add_bar(&self, bar: &Bar, x: f64, scene: &mut Scene, images: &mut Vec<String>) {
-        let (top, height) = (self.places.margin_top, INSIDE.1);
-        if let Some(png) = raster::bar(bar.map) {
-            add_image(scene, images, raster::element(&png, [x, top, BAR, height]));
+    fn add_notes(&self, scene: &mut Scene) {
+        for note in &self.view.chart.notes {
+            let point = self.scaled((note.x, note.y));
+            if !self.frame().holds(point) {
+                continue;
+            }
+            let (x, y) = self.at(point);
+            let (dx, dy, anchor) = match note.side {
+                Side::Right => (8.0, 4.0, TextAnchor::Start),
+                Side::Left => (-8.0, 4.0, TextAnchor::End),
+                Side::Above => (0.0, -9.0, TextAnchor::Middle),
+                Side::Below => (0.0, 17.0, TextAnchor::Middle),
+            };
+            let color = note.colour.map(|colour| self.theme.stroke(colour, false));
+            let content = text::clean(&note.words);
+            let (x, y) = (x + dx, y + dy);
+            scene.add(Primitive::Text { x, y, content, size: TICK, anchor, rotate: None, bold: false, color });
         }
-        scene.add(Primitive::Rect {
-            x,
-            y: top,
-            width: BAR,
-            height,
-            fill: Color::None,
-            stroke: Some(Color::Rgb(0, 0, 0)),
-            stroke_width: Some(1.0),
-            opacity: None,
-        });
-        for (value, label) in &bar.ticks {
-            let y = top + height * (bar.window.high - value) / (bar.window.high - bar.window.low);
-            scene.add(Primitive::Line {
-                x1: x + BAR,
-                y1: y,
-                x2: x + BAR + 5.0,
-                y2: y,
-                stroke: Color::Rgb(0, 0, 0),
-                stroke_width: 1.0,
-                stroke_dasharray: None,
-            });
-            let place = (x + BAR + 8.0, y + 0.35 * f64::from(TICK));
-            scene.add(words(label.clone(), place, TICK, TextAnchor::Start, None));
-        }
-        let place = (x + bar.width() - GAP, top + height / 2.0);
-        scene.add(words(bar.label.clone(), place, LABEL, TextAnchor::Middle, Some(-90.0)));
     }
 }
 
-fn words(content: String, (x, y): (f64, f64), size: u32, anchor: TextAnchor, rotate: Option<f64>) -> Primitive {
+pub(super) fn words(
+    content: String,
+    (x, y): (f64, f64),
+    size: u32,
+    anchor: TextAnchor,
+    rotate: Option<f64>,
+) -> Primitive {
     Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color: None }
 }
 
 /// What the axes show.
-fn windows(View { chart, raster }: View<'_>) -> (Window, Window) {
+pub(super) fn windows(View { chart, raster }: View<'_>) -> (Window, Window) {
     #[allow(clippy::cast_precision_loss, reason = "fewer cells than 2⁵³")]
     let sides = raster.map(|r| (r.columns as f64, r.cells.len().checked_div(r.columns).unwrap_or(0) as f64));
     let window = |axis: &Axis, side: Option<f64>, of: fn((f64, f64)) -> f64| match (axis.fixed(), side) {
-        (Some((a, b)), _) => Window::exact(a, b),
+        (Some((a, b)), _) => axis.window(a, b),
         (None, Some(side)) => Window::exact(0.0, side),
         (None, None) => {
             // A point counts where both its numbers do.
             let curves = chart.curves.iter().flat_map(|curve| curve.points.iter().copied());
             let points = curves.chain(chart.markers.iter().map(|marker| (marker.x, marker.y)));
-            Window::around(points.filter(|(x, y)| x.is_finite() && y.is_finite()).map(of))
+            axis.window_around(points.filter(|(x, y)| x.is_finite() && y.is_finite()).map(of))
         }
     };
     (window(&chart.x, sides.map(|s| s.0), |p| p.0), window(&chart.y, sides.map(|s| s.1), |p| p.1))
 }
 
-fn layout(chart: &Chart, x: &Window, y: &Window, is_field: bool) -> Layout {
+fn layout(chart: &Chart, x: &Window, y: &Window, is_field: bool, theme: Theme) -> Layout {
+    let (width, height) = chart.size;
     let mut layout = Layout::new((x.low, x.high), (y.low, y.high))
         .with_x_axis_min(x.low)
         .with_x_axis_max(x.high)
@@ -281,16 +301,22 @@ fn layout(chart: &Chart, x: &Window, y: &Window, is_field: bool) -> Layout {
         .with_x_tick_format(x.format())
         .with_y_tick_format(y.format())
         .with_ticks(TICKS)
+        .with_theme(theme.kuva())
         .with_show_grid(!is_field)
         .with_box_axes()
         .with_x_label_overlap(AxisLabelOverlap::Thin)
         .with_title_size(TITLE)
         .with_label_size(LABEL)
         .with_tick_size(TICK)
-        .with_title_wrap(text::fitting(INSIDE.0, TITLE))
-        .with_x_label_wrap(text::fitting(INSIDE.0, LABEL))
-        .with_y_label_wrap(text::fitting(INSIDE.1, LABEL));
-    layout.theme.grid_color = "#e4e4e4".to_owned();
+        .with_title_wrap(text::fitting(width, TITLE))
+        .with_x_label_wrap(text::fitting(width, LABEL))
+        .with_y_label_wrap(text::fitting(height, LABEL));
+    if let Some(step) = x.step {
+        layout = layout.with_x_tick_step(step);
+    }
+    if let Some(step) = y.step {
+        layout = layout.with_y_tick_step(step);
+    }
     for (text, label) in [
         (text::clean(&chart.title), &mut layout.title),
         (chart.x.label(x), &mut layout.x_label),
@@ -302,7 +328,7 @@ fn layout(chart: &Chart, x: &Window, y: &Window, is_field: bool) -> Layout {
 }
 
 /// The palette's number of every curve, then of every marker: one for each name, and each without a name its own.
-fn colours(chart: &Chart) -> Vec<usize> {
+pub(super) fn colours(chart: &Chart) -> Vec<usize> {
     let curves = chart.curves.iter().map(|c| (c.name.as_str(), c.colour));
     let all: Vec<(&str, Option<usize>)> =
         curves.chain(chart.markers.iter().map(|m| (m.name.as_str(), m.colour))).collect();
@@ -322,75 +348,17 @@ fn colours(chart: &Chart) -> Vec<usize> {
     colours
 }
 
-/// The names of curves and markers, each way of drawing once.
-fn entries(chart: &Chart, colours: &[usize], legend: &mut Vec<LegendEntry>) {
-    let mut seen = BTreeSet::new();
-    let curves = chart.curves.iter().map(|c| (&c.name, LegendShape::Line, usize::from(c.dashed)));
-    let markers = chart.markers.iter().map(|m| (&m.name, LegendShape::Marker(kuva(m.shape)), 2 + m.shape as usize));
-    for ((name, shape, kind), &colour) in curves.chain(markers).zip(colours) {
-        if !name.is_empty() && seen.insert((name.as_str(), kind, colour)) {
-            let dasharray = (kind == 1).then(|| DASH.to_owned());
-            legend.push(LegendEntry { label: text::name(name), color: hex(palette::LINES[colour]), shape, dasharray });
+/// The names of areas, curves and markers, each way of drawing once.
+fn entries(chart: &Chart, colours: &[usize], theme: Theme, legend: &mut Vec<Entry>) {
+    let curves = chart.curves.iter().map(|c| (&c.name, Sample::Line { dash: c.dash, width: c.width }, c.pale));
+    let markers = chart.markers.iter().map(|m| (&m.name, Sample::Marker { shape: m.shape, hollow: m.hollow }, false));
+    let areas = chart.areas.iter().map(|a| ((&a.name, Sample::Area, false), a.colour % palette::LINES.len()));
+    let mut seen: Vec<(&str, Sample, bool, usize)> = Vec::new();
+    for ((name, sample, pale), colour) in curves.chain(markers).zip(colours.iter().copied()).chain(areas) {
+        let kind = (name.as_str(), sample, pale, colour);
+        if !name.is_empty() && !seen.contains(&kind) {
+            seen.push(kind);
+            legend.push(Entry { label: text::name(name), colour: theme.stroke(colour, pale), sample });
         }
-    }
-}
-
-fn kuva(shape: MarkerShape) -> Kuva {
-    match shape {
-        MarkerShape::Circle => Kuva::Circle,
-        MarkerShape::Square => Kuva::Square,
-        MarkerShape::Triangle => Kuva::Triangle,
-        MarkerShape::Diamond => Kuva::Diamond,
-        MarkerShape::Cross => Kuva::Cross,
-        MarkerShape::Plus => Kuva::Plus,
-    }
-}
-
-fn hex([r, g, b]: [u8; 3]) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-fn line_colour(colour: usize) -> Color {
-    let [r, g, b] = palette::LINES[colour % palette::LINES.len()];
-    Color::Rgb(r, g, b)
-}
-
-fn disc(cx: f64, cy: f64, r: f64, colour: usize) -> Primitive {
-    Primitive::Circle {
-        cx,
-        cy,
-        r,
-        fill: line_colour(colour),
-        fill_opacity: None,
-        stroke: Some(Color::Rgb(255, 255, 255)),
-        stroke_width: Some(1.0),
-    }
-}
-
-/// A marker, with a white rim so that it stands off from what is below.
-fn symbol(shape: MarkerShape, (x, y): (f64, f64), colour: usize) -> Primitive {
-    let path = |corners: &[(f64, f64)], joins: &str| {
-        let mut d = String::new();
-        for (i, (dx, dy)) in corners.iter().enumerate() {
-            let letter = if i == 0 || (joins.is_empty() && i % 2 == 0) { 'M' } else { 'L' };
-            d += &format!("{letter} {:.2} {:.2} ", x + 5.0 * dx, y + 5.0 * dy);
-        }
-        let is_area = !joins.is_empty();
-        Primitive::Path(Box::new(PathData {
-            d: d + joins,
-            fill: is_area.then(|| line_colour(colour)),
-            stroke: if is_area { Color::Rgb(255, 255, 255) } else { line_colour(colour) },
-            stroke_width: if is_area { 1.0 } else { 2.0 },
-            opacity: None,
-            stroke_dasharray: None,
-        }))
-    };
-    match shape {
-        MarkerShape::Circle => disc(x, y, 5.0, colour),
-        MarkerShape::Square => path(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], "Z"),
-        MarkerShape::Triangle => path(&[(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)], "Z"),
-        MarkerShape::Diamond => path(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)], "Z"),
-        MarkerShape::Cross => path(&[(-0.9, -0.9), (0.9, 0.9), (-0.9, 0.9), (0.9, -0.9)], ""),
-        MarkerShape::Plus => path(&[(-1.2, 0.0), (1.2, 0.0), (0.0, -1.2), (0.0, 1.2)], ""),
     }
 }

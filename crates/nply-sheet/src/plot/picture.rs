@@ -5,7 +5,7 @@ use kuva::render::render::{Primitive, Scene};
 
 use super::panel::Drawing;
 use super::raster::Raster;
-use super::{Chart, Field};
+use super::{Chart, Field, Theme, theme};
 
 /// Several panels in one picture.
 ///
@@ -22,27 +22,40 @@ use super::{Chart, Field};
 pub struct Picture {
     /// The panels in their order.
     pub panels: Vec<Panel>,
-    direction: Direction,
+    arrangement: Arrangement,
 }
 
 impl Picture {
     /// Panels from left to right.
     #[must_use]
     pub fn row<P: Into<Panel>>(panels: impl IntoIterator<Item = P>) -> Self {
-        Self { panels: panels.into_iter().map(Into::into).collect(), direction: Direction::Row }
+        Self { panels: panels.into_iter().map(Into::into).collect(), arrangement: Arrangement::ROW }
     }
 
     /// Panels from top to bottom, their axes in line.
     #[must_use]
     pub fn column<P: Into<Panel>>(panels: impl IntoIterator<Item = P>) -> Self {
-        Self { panels: panels.into_iter().map(Into::into).collect(), direction: Direction::Column }
+        Self::grid(panels, 1)
+    }
+
+    /// Panels in rows of so many (at least one), from left to right and from top to bottom, their axes in line.
+    #[must_use]
+    pub fn grid<P: Into<Panel>>(panels: impl IntoIterator<Item = P>, columns: usize) -> Self {
+        let arrangement = Arrangement { columns: columns.max(1) };
+        Self { panels: panels.into_iter().map(Into::into).collect(), arrangement }
     }
 
     /// The picture.
     #[must_use]
     pub fn svg(&self) -> String {
+        self.svg_in(Theme::Light)
+    }
+
+    /// The same on light or dark ground.
+    #[must_use]
+    pub fn svg_in(&self, theme: Theme) -> String {
         let views: Vec<View<'_>> = self.panels.iter().map(Panel::view).collect();
-        draw(&views, self.direction)
+        draw(&views, self.arrangement, theme)
     }
 }
 
@@ -77,11 +90,15 @@ impl From<Field> for Panel {
     }
 }
 
-/// Where the next panel stands.
+/// How many panels stand beside each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Direction {
-    Row,
-    Column,
+pub(super) struct Arrangement {
+    columns: usize,
+}
+
+impl Arrangement {
+    /// All in one row.
+    pub(super) const ROW: Self = Self { columns: usize::MAX };
 }
 
 /// A panel that is only looked at.
@@ -92,32 +109,33 @@ pub(super) struct View<'a> {
 }
 
 /// All panels as one text.
-pub(super) fn draw(views: &[View<'_>], direction: Direction) -> String {
-    let mut drawings: Vec<Drawing<'_>> = views.iter().map(|&view| Drawing::of(view)).collect();
-    match direction {
-        Direction::Column => Drawing::align_sides(&mut drawings),
-        Direction::Row => Drawing::align_tops(&mut drawings),
+pub(super) fn draw(views: &[View<'_>], Arrangement { columns }: Arrangement, theme: Theme) -> String {
+    let mut drawings: Vec<Drawing<'_>> = views.iter().map(|&view| Drawing::of(view, theme)).collect();
+    let columns = columns.min(drawings.len()).max(1);
+    for column in 0..columns {
+        Drawing::align_sides(drawings.iter_mut().skip(column).step_by(columns));
     }
-    let size = |of: fn(&Drawing<'_>) -> f64, along: bool| {
-        let sizes = drawings.iter().map(of);
-        if along { sizes.sum::<f64>() } else { sizes.fold(0.0, f64::max) }
-    };
-    let width = size(|d| d.width(), direction == Direction::Row);
-    let height = size(|d| d.height(), direction == Direction::Column);
-    let mut scene = Scene::new(width, height).with_background(Some("white"));
-    scene.text_color = Some("#222222".to_owned());
+    drawings.chunks_mut(columns).for_each(Drawing::align_tops);
+    let row_width = |row: &[Drawing<'_>]| row.iter().map(Drawing::width).sum::<f64>();
+    let row_height = |row: &[Drawing<'_>]| row.iter().map(Drawing::height).fold(0.0, f64::max);
+    let width = drawings.chunks(columns).map(row_width).fold(0.0, f64::max);
+    let height = drawings.chunks(columns).map(row_height).sum::<f64>();
+    let ground = theme::hex(theme.ground());
+    let mut scene = Scene::new(width, height).with_background(Some(&ground));
+    scene.text_color = Some(theme::hex(theme.ink()));
     let mut images = Vec::new();
-    let (mut x, mut y) = (0.0, 0.0);
-    for drawing in &drawings {
-        scene.font_family = drawing.font();
-        let transform = Some(format!("translate({x:.2},{y:.2})"));
-        scene.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
-        drawing.add_to(&mut scene, &mut images);
-        scene.add(Primitive::GroupEnd);
-        match direction {
-            Direction::Row => x += drawing.width(),
-            Direction::Column => y += drawing.height(),
+    let mut y = 0.0;
+    for row in drawings.chunks(columns) {
+        let mut x = 0.0;
+        for drawing in row {
+            scene.font_family = drawing.font();
+            let transform = Some(format!("translate({x:.2},{y:.2})"));
+            scene.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
+            drawing.add_to(&mut scene, &mut images);
+            scene.add(Primitive::GroupEnd);
+            x += drawing.width();
         }
+        y += row_height(row);
     }
     let mut svg = SvgBackend::new().render_scene(&scene);
     for (i, image) in images.iter().enumerate() {

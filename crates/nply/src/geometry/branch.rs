@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::{Contact, HelicalAngle};
+use super::{Contact, HelicalAngle, check_strands};
 use crate::DomainError;
 use crate::numerics::dual::Dual;
 use crate::numerics::root::bracketed;
@@ -90,6 +90,52 @@ pub fn branches(strands: u32, angle: HelicalAngle, most: usize) -> Result<Vec<Br
     Ok(found)
 }
 
+/// The solution of (5) at an anomaly E = 2π/n − x sin θ, with its angle: tan²θ = (2π/n − E)/sin E. `None` where that is not a number
+/// greater than 0.
+///
+/// Between neighbouring multiples of π each curve of Figures 1 and 3 runs through once: the main branch in 0 < E < 2π/n, its mirror image
+/// for two strands in π < E < 2π, and the satellites, which come from flat rings, turn and go back to them.
+///
+/// # Errors
+/// [`DomainError`] on `strands`, and unless the anomaly is finite.
+///
+/// ```
+/// use nply::geometry::{Contact, branch_at_anomaly};
+/// let contact = Contact::new(3, 1.0)?;
+/// let (angle, branch) = branch_at_anomaly(3, contact.anomaly())?.expect("on the main branch");
+/// assert!((angle.radians() - 1.0).abs() < 1e-14);
+/// assert!((branch.arclength_shift - contact.arclength_shift()).abs() < 1e-13);
+/// # Ok::<(), nply::DomainError>(())
+/// ```
+pub fn branch_at_anomaly(strands: u32, anomaly: f64) -> Result<Option<(HelicalAngle, Branch)>, DomainError> {
+    check_strands(strands)?;
+    DomainError::check(anomaly.is_finite(), "anomaly", anomaly, "finite")?;
+    let lambda = 2.0 * PI / f64::from(strands);
+    let (sin, cos) = libm::sincos(anomaly);
+    let tan_squared = (lambda - anomaly) / sin;
+    if !(tan_squared > 0.0 && tan_squared < 1.0 / (HelicalAngle::FLATTEST * HelicalAngle::FLATTEST)) {
+        return Ok(None);
+    }
+    let angle = HelicalAngle::flat(libm::atan(1.0 / libm::sqrt(tan_squared)).max(HelicalAngle::FLATTEST));
+    let is_main = (0.0..lambda).contains(&anomaly) || (strands == 2 && (PI..2.0 * PI).contains(&anomaly));
+    let kind = if is_main { BranchKind::Main } else { BranchKind::Satellite };
+    Ok(Some((angle, solution(angle, anomaly, kind, 1.0 + tan_squared * cos > 0.0))))
+}
+
+/// What (4) makes of an anomaly.
+fn solution(angle: HelicalAngle, anomaly: f64, kind: BranchKind, local_minimum: bool) -> Branch {
+    let (s, c) = (angle.sin(), angle.cos());
+    let (sh, ch) = if kind == BranchKind::Trivial { (1.0, 0.0) } else { libm::sincos(0.5 * anomaly) };
+    let radius_ratio = c / (sh.abs() * libm::sqrt(c * c + s * s * ch * ch));
+    Branch {
+        kind,
+        arclength_shift: 2.0 * s * sh * ch / (c * c),
+        radius_ratio,
+        local_minimum,
+        curvature: s * s / radius_ratio,
+    }
+}
+
 /// The monotone pieces of E + e sin E for e > 1: even ones rise about E = πi, odd ones fall.
 struct Pieces {
     strands: u32,
@@ -122,15 +168,6 @@ impl Pieces {
     }
 
     fn branch(&self, anomaly: f64, kind: BranchKind, local_minimum: bool) -> Branch {
-        let (s, c) = (self.angle.sin(), self.angle.cos());
-        let (sh, ch) = if kind == BranchKind::Trivial { (1.0, 0.0) } else { libm::sincos(0.5 * anomaly) };
-        let radius_ratio = c / (sh.abs() * libm::sqrt(c * c + s * s * ch * ch));
-        Branch {
-            kind,
-            arclength_shift: 2.0 * s * sh * ch / (c * c),
-            radius_ratio,
-            local_minimum,
-            curvature: s * s / radius_ratio,
-        }
+        solution(self.angle, anomaly, kind, local_minimum)
     }
 }

@@ -20,7 +20,7 @@ mod wire_layer;
 mod wire_strand;
 
 pub use angle::HelicalAngle;
-pub use branch::{Branch, BranchKind, branches};
+pub use branch::{Branch, BranchKind, branch_at_anomaly, branches};
 pub use centreline::{Centreline, FrenetFrame, Vector};
 pub use chords::{ChordLay, Chords};
 pub use clearance::{Approach, Clearance, Wire, Wires};

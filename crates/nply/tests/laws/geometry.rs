@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use nply::Handedness;
-use nply::geometry::{BranchKind, Centreline, Contact, ContactLine, HelicalAngle, branches};
+use nply::geometry::{BranchKind, Centreline, Contact, ContactLine, HelicalAngle, branch_at_anomaly, branches};
 use proptest::prelude::*;
 
 use crate::common::touch::{slope, touch_at};
@@ -191,6 +191,13 @@ proptest! {
             if bend.abs() > 1e-9 {
                 prop_assert_eq!(branch.local_minimum, bend > 0.0, "{:?}", branch);
             }
+        }
+        // by its anomaly each is found again
+        for branch in found.iter().filter(|b| b.kind != BranchKind::Trivial && b.arclength_shift != 0.0) {
+            let (again, same) = branch_at_anomaly(n, lambda - branch.arclength_shift * s).unwrap().unwrap();
+            prop_assert!((again.radians() - angle.radians()).abs() < 1e-9, "{branch:?}: {again:?}");
+            prop_assert_eq!(same.kind, branch.kind);
+            prop_assert!((same.arclength_shift / branch.arclength_shift - 1.0).abs() < 1e-8);
         }
         for pair in found.windows(2) {
             prop_assert!(pair[0].arclength_shift.abs() <= pair[1].arclength_shift.abs());

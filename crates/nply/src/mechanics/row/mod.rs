@@ -13,6 +13,7 @@ mod chart;
 mod follow;
 mod line;
 mod piece;
+mod point;
 mod values;
 
 use super::equilibrium::weights;

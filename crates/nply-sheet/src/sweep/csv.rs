@@ -1,0 +1,55 @@
+//! A sweep's numbers as comma-separated values.
+
+use nply::Handedness;
+
+use super::{Sweep, SweepCurve};
+use crate::report::unit_suffix;
+
+impl Sweep {
+    /// Every point of these curves: which ply, which curve, the datum, what is asked; all dimensionless, and in SI where the scale is
+    /// known.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// use nply_sheet::sweep::SweepFlags;
+    /// let ply = Spec::from_flags([("strands", "2"), ("stiffness-ratio", "0.75")])?;
+    /// let flags = SweepFlags { sweep: "pretwist=-1..1".into(), ask: vec!["helical_angle".into()], ..SweepFlags::default() };
+    /// let sweep = ply.check_sweep(&flags)?;
+    /// assert!(sweep.csv(&sweep.curves()).starts_with("strands,balance,handedness,separated,curve,pretwist,helical_angle_deg\n"));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn csv(&self, curves: &[SweepCurve]) -> String {
+        let known = self.known();
+        let (datum, ..) = Sweep { against: None, ..self.clone() }.axis(1.0);
+        let mut names = ["strands", "balance", "handedness", "separated", "curve", datum].map(str::to_owned).to_vec();
+        let columns: Vec<_> = self.against.iter().chain(&self.ask).copied().collect();
+        for column in &columns {
+            names.push(column.name.to_owned());
+            names.extend(column.measure.si(known).map(|(_, unit)| format!("{}_{}", column.name, unit_suffix(unit))));
+        }
+        let mut text = names.join(",") + "\n";
+        for (i, curve) in curves.iter().enumerate() {
+            for point in &curve.points {
+                let hand = if curve.handedness == Handedness::Right { "1" } else { "-1" };
+                let mut cells = vec![
+                    curve.strands.to_string(),
+                    curve.balance.name().to_owned(),
+                    hand.to_owned(),
+                    curve.separated.to_string(),
+                    (i + 1).to_string(),
+                    // adding 0 takes the sign from a negative zero
+                    (point.x + 0.0).to_string(),
+                ];
+                for column in &columns {
+                    let value = column.of(&point.state);
+                    let written = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+                    cells.push(written(value));
+                    cells.extend(column.measure.si(known).map(|(factor, _)| written(value.map(|v| v * factor))));
+                }
+                text += &(cells.join(",") + "\n");
+            }
+        }
+        text
+    }
+}
