@@ -48,9 +48,9 @@ pub(crate) fn with_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Comm
 }
 
 /// FILE and one flag a key of a layered strand; those of a layer may be repeated.
-pub(crate) fn with_construction_keys(command: Command) -> Command {
+pub(crate) fn with_construction_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Command {
     let file = Arg::new("file").value_name("FILE").help("A TOML file with the strand; `-` reads standard input");
-    CONSTRUCTION_KEYS.iter().fold(command.arg(file), |command, key| {
+    CONSTRUCTION_KEYS.iter().filter(|key| wanted(key)).fold(command.arg(file), |command, key| {
         let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
         let flag = if key.table == Table::Layer { flag.action(ArgAction::Append) } else { flag };
         command.arg(match key.kind {
@@ -85,6 +85,7 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
         Kind::Pressure | Kind::Modulus => "PRESSURE",
+        Kind::LinearDensity => "LINEAR DENSITY",
         Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",

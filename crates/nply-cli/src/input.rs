@@ -48,7 +48,7 @@ pub(crate) fn read(arguments: &ArgMatches) -> Result<Input, Failure> {
 /// As [`read`], of a layered strand.
 pub(crate) fn read_construction(arguments: &ArgMatches) -> Result<Input<ConstructionSpec>, Failure> {
     let flags = CONSTRUCTION_KEYS.iter().flat_map(|key| {
-        let given = arguments.get_many::<String>(key.flag).into_iter().flatten();
+        let given = arguments.try_get_many::<String>(key.flag).ok().flatten().into_iter().flatten();
         given.map(|value| (key.flag, value.as_str()))
     });
     let flags = ConstructionSpec::from_flags(flags).map_err(|error| Failure::Refused(error, String::new()))?;

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
-use clap::ArgMatches;
+use clap::{Arg, ArgMatches};
 use nply_sheet::Report;
 
 use crate::failure::Failure;
@@ -34,6 +34,17 @@ impl Format {
 pub(crate) fn write(text: &str) -> Result<(), Failure> {
     let mut out = anstream::stdout();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::of_output)
+}
+
+/// Bytes that are no text.
+pub(crate) fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::of_output)
+}
+
+/// `--output`.
+pub(crate) fn file(help: &'static str) -> Arg {
+    Arg::new("output").long("output").short('o').value_name("FILE").help(help)
 }
 
 /// A report, as it is asked for.

@@ -58,6 +58,8 @@ impl Dimension {
     pub const LINEAR_DENSITY: Self = Self { length: -2, ..Self::MASS };
     /// Mass per volume, in kg/m³.
     pub const DENSITY: Self = Self { length: -4, ..Self::MASS };
+    /// Force per linear density, in N m/kg: the stress of textile people, cN/tex.
+    pub const SPECIFIC_STRESS: Self = Self { length: 2, time: -2, ..Self::NUMBER };
 
     /// Multiplied by `other` to the given power; `None` where an exponent passes what a quantity could mean (±99).
     ///
@@ -80,7 +82,7 @@ impl Dimension {
 
     /// The field's words for it, where there are any.
     const fn words(self) -> Option<&'static str> {
-        const NAMED: [(Dimension, &str); 16] = [
+        const NAMED: [(Dimension, &str); 17] = [
             (Dimension::NUMBER, "a pure number"),
             (Dimension::LENGTH, "a length"),
             (Dimension::AREA, "an area"),
@@ -97,6 +99,7 @@ impl Dimension {
             (Dimension::MASS, "a mass"),
             (Dimension::LINEAR_DENSITY, "a linear density (mass per length)"),
             (Dimension::DENSITY, "a density (mass per volume)"),
+            (Dimension::SPECIFIC_STRESS, "a specific stress (force per linear density)"),
         ];
         let mut at = 0;
         while at < NAMED.len() {

@@ -76,6 +76,8 @@ pub enum Kind {
     Stiffness,
     /// Force per area.
     Pressure,
+    /// Mass per length, or a yarn count: the titre of a strand.
+    LinearDensity,
     /// An absolute temperature.
     Temperature,
     /// An angle, always with its unit.
@@ -112,6 +114,7 @@ impl Kind {
             Self::Length => "a length, such as \"0.5 mm\"",
             Self::Stiffness => "a stiffness (force times length squared), such as \"50 pN nm^2\"",
             Self::Pressure | Self::Modulus => "a pressure, such as \"70 GPa\"",
+            Self::LinearDensity => "a linear density, such as \"94 tex\", \"840 den\" or \"Ne 30\"",
             Self::Temperature => "a temperature, such as \"298 K\"",
             Self::Angle => "an angle, such as \"20 deg\"",
             Self::Turns => "a number of turns, such as 12 or \"12 turns\"",
@@ -133,6 +136,7 @@ impl Kind {
             Self::Length => Some(Dimension::LENGTH),
             Self::Stiffness => Some(Dimension::STIFFNESS),
             Self::Pressure | Self::Modulus => Some(Dimension::PRESSURE),
+            Self::LinearDensity => Some(Dimension::LINEAR_DENSITY),
             Self::Temperature => Some(Dimension::TEMPERATURE),
             Self::Angle | Self::Turns => Some(Dimension::ANGLE),
             Self::TurnsPerLength | Self::Twist => Some(Dimension::ANGLE_PER_LENGTH),
@@ -145,7 +149,7 @@ impl Kind {
 
     /// Whether a bare number can be meant at all; whether it may stand in a given input depends on what else is given.
     pub(crate) const fn may_be_bare(self) -> bool {
-        !matches!(self, Self::Stiffness | Self::Pressure | Self::Temperature | Self::Angle)
+        !matches!(self, Self::Stiffness | Self::Pressure | Self::LinearDensity | Self::Temperature | Self::Angle)
     }
 }
 
@@ -193,6 +197,9 @@ pub enum Datum {
     Hand,
     Radius,
     Diameter,
+    LinearDensity,
+    Density,
+    PackingFraction,
     BendingStiffness,
     TorsionalStiffness,
     StiffnessRatio,
@@ -216,6 +223,7 @@ pub enum Datum {
     LayRatio,
     PlyTurnsPerLength,
     RadiusRatio,
+    HelixRadius,
     CoreRadius,
     CoreDiameter,
     Force,
@@ -260,7 +268,13 @@ pub enum Datum {
     LayerMaterial,
     LayerYoungsModulus,
     LayerPoissonsRatio,
-    LayerPreformed,
+    LayerPreforming,
+    LayerPretwist,
+    CableForce,
+    CableMoment,
+    CableTurning,
+    CableTorqueFactor,
+    CableBalancedLayer,
 }
 
 /// One key: where it stands in the file, its flag, what it means.
@@ -318,6 +332,27 @@ impl Key {
             || matches!(self.datum, Datum::Force | Datum::Moment | Datum::StiffnessRatio)
     }
 
+    /// Whether its sign is a hand, so that S or Z can be written in its place: every twist and every turning of the ply.
+    ///
+    /// ```
+    /// use nply_sheet::KEYS;
+    /// assert!(KEYS.iter().any(|key| key.flag == "ply-turns-per-length" && key.takes_hand()));
+    /// assert!(KEYS.iter().all(|key| key.flag != "moment" || !key.takes_hand()));
+    /// ```
+    #[must_use]
+    pub const fn takes_hand(&self) -> bool {
+        matches!(self.table, Table::Twist)
+            || matches!(
+                self.datum,
+                Datum::PlyTurnsPerLength
+                    | Datum::PlyRotation
+                    | Datum::PlyTurns
+                    | Datum::PlyTurnsPerStrandLength
+                    | Datum::LayerPretwist
+                    | Datum::CableTurning
+            )
+    }
+
     /// The key of a datum.
     pub(crate) fn of(datum: Datum) -> Option<&'static Self> {
         Self::every().find(|key| key.datum == datum)
@@ -331,7 +366,7 @@ impl Key {
 
 /// Every key of a ply, table by table.
 #[rustfmt::skip] // a table: one row a line
-pub static KEYS: [Key; 54] = [
+pub static KEYS: [Key; 58] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
     key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
@@ -339,6 +374,9 @@ pub static KEYS: [Key; 54] = [
 
     key(Datum::Radius, Table::Strand, "radius", "radius", Kind::Length, "Strand radius r").one_of(Group::Size),
     key(Datum::Diameter, Table::Strand, "diameter", "diameter", Kind::Length, "Strand diameter 2r").one_of(Group::Size),
+    key(Datum::LinearDensity, Table::Strand, "linear_density", "linear-density", Kind::LinearDensity, "Mass per length of a strand: tex, den, or a count as in \"Ne 30\"; with density it gives the diameter"),
+    key(Datum::Density, Table::Strand, "density", "density", Kind::Density, "Density of the fibre or wire itself, for linear_density"),
+    key(Datum::PackingFraction, Table::Strand, "packing_fraction", "packing-fraction", Kind::Number, "Share of a strand's cross-section that is fibre, for linear_density; 1 (solid) if absent"),
     key(Datum::BendingStiffness, Table::Strand, "bending_stiffness", "bending-stiffness", Kind::Stiffness, "Bending stiffness B of a strand").one_of(Group::Bending),
     key(Datum::TorsionalStiffness, Table::Strand, "torsional_stiffness", "torsional-stiffness", Kind::Stiffness, "Torsional stiffness C of a strand").one_of(Group::Torsion),
     key(Datum::StiffnessRatio, Table::Strand, "stiffness_ratio", "stiffness-ratio", Kind::Number, "Stiffness ratio C/B, greater than 0").one_of(Group::Torsion),
@@ -368,6 +406,7 @@ pub static KEYS: [Key; 54] = [
     key(Datum::LayRatio, Table::Lay, "lay_ratio", "lay-ratio", Kind::Number, "Lay length over the outer diameter of the ply").one_of(Group::Lay),
     key(Datum::PlyTurnsPerLength, Table::Lay, "turns_per_length", "ply-turns-per-length", Kind::TurnsPerLength, "Turns of the ply per ply length; right-handed positive").one_of(Group::Lay),
     key(Datum::RadiusRatio, Table::Lay, "radius_ratio", "radius-ratio", Kind::Number, "Helix radius of the strands over the strand radius, R/r").one_of(Group::Lay),
+    key(Datum::HelixRadius, Table::Lay, "helix_radius", "helix-radius", Kind::Length, "Radius R of the helix of the strands' centrelines; beside another lay, it gives the strand's size"),
     key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core that touching strands do lie on (this gives the shape), R = core radius + r").one_of(Group::Lay),
     key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core that touching strands do lie on (this gives the shape)").one_of(Group::Lay),
 

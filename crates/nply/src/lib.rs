@@ -5,7 +5,8 @@
 //! bending stiffness B = 1; [`Scale`] turns results into lengths and forces. Angles are in rad.
 //!
 //! - [`geometry`]: how strands touch at a helical angle: [`geometry::Contact`];
-//! - [`mechanics`]: which angles are in equilibrium, and what presses, pulls and gives there: [`mechanics::Ply`].
+//! - [`mechanics`]: which angles are in equilibrium, and what presses, pulls and gives there: [`mechanics::Ply`];
+//! - [`topology`]: link, twist and writhe of any curve: [`topology::Curve`].
 //!
 //! ```
 //! use nply::mechanics::{Load, Ply, Twist};
@@ -25,6 +26,7 @@ mod scale;
 pub mod geometry;
 pub mod mechanics;
 mod numerics;
+pub mod topology;
 
 pub use error::DomainError;
 pub use handedness::Handedness;

@@ -10,6 +10,7 @@ use common::vector::{add, cross, derivative, dot, norm, sub, times};
 use nply::Handedness::{self, Left, Right};
 use nply::geometry::{Centreline, Contact, HelicalAngle, Section};
 use nply::mechanics::{Balance, Equilibrium, Load, Ply, Twist};
+use nply::topology::PlyWrithe;
 
 fn angle(degrees: f64) -> HelicalAngle {
     HelicalAngle::new(degrees.to_radians()).unwrap()
@@ -207,6 +208,20 @@ fn eqa08_order() {
     let ours = 2.0 * psi * integral(|x| writhing(x, mu), -psi / 2.0, psi / 2.0) - corners;
     assert!((ours / direct - 1.0).abs() < 1e-2, "{ours} {direct}");
     assert!((printed / direct - 1.0).abs() > 0.1, "{printed} {direct}");
+}
+
+/// (A.13): the corners lack the factor εμ that stands before them in (A.8).
+#[test]
+fn eqa13_factor() {
+    let (theta, psi) = (0.6_f64, 5.0);
+    let mu = 1.0 / theta.tan();
+    let rectangle = mu * 2.0 * psi * integral(|x| writhing(x, mu), -psi / 2.0, psi / 2.0);
+    let corners = -4.0 * integral(|x| x * writhing(x, mu), 0.0, psi / 2.0)
+        + 4.0 * integral(|x| x * writhing(x, mu), -psi / 2.0, 0.0);
+    let angle = HelicalAngle::new(theta).unwrap();
+    let writhe = 2.0 * TAU * PlyWrithe::new(1, angle, Right, psi / TAU).unwrap().itself().writhe;
+    assert!((rectangle + mu * corners - writhe).abs() < 1e-5, "{rectangle} {corners} {writhe}");
+    assert!((rectangle + corners - writhe).abs() > 0.1, "as printed");
 }
 
 /// (A.11): a root is missing.

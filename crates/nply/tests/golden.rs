@@ -8,6 +8,7 @@ use common::{Row, assert_relative, table};
 use nply::Handedness;
 use nply::geometry::{Contact, HelicalAngle};
 use nply::mechanics::{Balance, Equilibrium, Load, Ply, Twist};
+use nply::topology::PlyWrithe;
 
 /// 90 less an angle given in whole thousandths of a degree, without the rounding of the difference.
 fn complement(degrees: f64) -> f64 {
@@ -140,5 +141,50 @@ fn flexibility() {
             assert_relative(mf, row.number("a_ddm_df"), 1e-10, "a_ddm_df");
             assert_relative(mm, row.number("a_ddm_dm"), 1e-10, "a_ddm_dm");
         }
+    }
+}
+
+/// A strand with itself counts both orders of its points, two strands one: an entry of Tables I and II.
+#[test]
+fn strand_writhe() {
+    for row in table("strand_writhe") {
+        let (strands, places) = match row.text("alpha_over_2pi") {
+            "0" => (1, 0),
+            share => (share.strip_prefix("1/").unwrap().parse().unwrap(), 1),
+        };
+        let angle = HelicalAngle::new(row.number("theta_deg").to_radians()).unwrap();
+        for hand in Handedness::BOTH {
+            let got = PlyWrithe::new(strands, angle, hand, row.number("turns")).unwrap().pair(places);
+            let want = hand.sign() * row.number("writhe");
+            // ten digits, those of the table
+            assert!(
+                (got.writhe - want).abs() < 6e-10 * want.abs().max(0.1),
+                "{strands} {}: {got:?} {want}",
+                angle.degrees()
+            );
+            assert!(got.error_bound < 1e-12, "{got:?}");
+        }
+    }
+}
+
+/// Digits enough to hold every answer against its own bound.
+#[test]
+fn strand_writhe_remainders() {
+    for row in table("strand_writhe_more") {
+        let (places, strands) = match row.text("alpha_over_2pi") {
+            "0" => (0, 1),
+            share => share.split_once('/').map(|(i, n)| (i.parse().unwrap(), n.parse().unwrap())).unwrap(),
+        };
+        let degrees = row.number("theta_deg");
+        let angle = if degrees <= 45.0 {
+            HelicalAngle::new(degrees.to_radians()).unwrap()
+        } else {
+            HelicalAngle::from_pitch_angle(complement(degrees).to_radians()).unwrap()
+        };
+        let got = PlyWrithe::new(strands, angle, Handedness::Right, row.number("turns")).unwrap().pair(places);
+        let error = (got.remainder - row.number("remainder")).abs();
+        // the angle is rounded to a double
+        assert!(error <= got.error_bound + 4e-16 * angle.tan(), "{degrees} {places}/{strands}: {error:e} {got:?}");
+        assert!(error < 2e-14 && got.error_bound < 1e-11, "{degrees} {places}/{strands}: {error:e} {got:?}");
     }
 }

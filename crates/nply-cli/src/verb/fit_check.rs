@@ -1,7 +1,7 @@
 //! `nply fit-check`: do wires fit beside each other on their core?
 
 use clap::{ArgMatches, Command};
-use nply_sheet::FitReport;
+use nply_sheet::{FitReport, Key, Table};
 
 use super::Verb;
 use crate::arguments::{format, json, with_construction_keys};
@@ -35,7 +35,12 @@ pub(super) const VERB: Verb = Verb {
 };
 
 fn arguments(command: Command) -> Command {
-    with_construction_keys(command).arg(format()).arg(json())
+    with_construction_keys(command, wanted).arg(format()).arg(json())
+}
+
+/// All but loads and what is found from them.
+fn wanted(key: &Key) -> bool {
+    key.table != Table::Load && !["torque_factor", "balanced_layer"].contains(&key.name)
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {

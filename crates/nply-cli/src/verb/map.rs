@@ -34,13 +34,7 @@ fn arguments(command: Command) -> Command {
     corners(command, "to-", "Where it ends: the first of these runs across, the second up")
         .arg(count("columns", "Points across (200)", u32::MAX.into()))
         .arg(count("rows", "Points up (200)", u32::MAX.into()))
-        .arg(
-            Arg::new("output")
-                .long("output")
-                .short('o')
-                .value_name("FILE")
-                .help("Where to write the table: CSV, or Parquet if the name ends in .parquet"),
-        )
+        .arg(output::file("Where to write the table: CSV, or Parquet if the name ends in .parquet"))
         .arg(plot())
         .arg(interrupt::jobs())
         .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar"))

@@ -1,13 +1,23 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
+mod actuator;
+mod clearance;
 mod contact;
 mod fit_check;
 mod lays;
+mod link;
 mod locus;
 mod map;
+mod mesh;
+mod nodes;
+mod preset;
+mod render;
 mod solve;
+mod spin;
+mod stiffness;
 mod support;
 mod trace;
+mod writhe;
 
 use clap::{ArgMatches, Command};
 
@@ -28,7 +38,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 8] = [
+static VERBS: &[&Verb] = &[
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -36,7 +46,17 @@ static VERBS: [&Verb; 8] = [
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
+    &spin::VERB,
+    &actuator::VERB,
+    &preset::VERB,
     &fit_check::VERB,
+    &stiffness::VERB,
+    &writhe::VERB,
+    &link::VERB,
+    &clearance::VERB,
+    &mesh::VERB,
+    &nodes::VERB,
+    &render::VERB,
 ];
 
 const EXAMPLES: &str = "\
@@ -46,8 +66,10 @@ Examples:
   nply solve --strands 3 --stiffness-ratio 0.75 --pretwist -1
   nply support rope.toml --support-core-diameter \"4 mm\" --ply-length \"0.9 m\" --strand-length \"1 m\"
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
+  nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

@@ -27,6 +27,16 @@ enum Held {
     Extension(f64),
 }
 
+impl GivenEnds<'_> {
+    /// a·d_m, where the rotation is held.
+    pub(super) fn rotation(&self) -> Option<f64> {
+        match self.held {
+            Held::Rotation(rotation) => Some(rotation),
+            Held::Extension(_) => None,
+        }
+    }
+}
+
 /// What is held, if anything is; `strand_length` is L/r.
 pub(super) fn of<'s>(measure: &Measure<'s>, strand_length: Option<f64>) -> Result<Option<GivenEnds<'s>>, SpecError> {
     let Some(entry) = only_one(measure.spec, Group::Ends, "the way the ends are held")? else { return Ok(None) };

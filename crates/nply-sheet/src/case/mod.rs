@@ -1,12 +1,17 @@
 //! One ply, dimensionless, and the one question asked about it.
 
 mod ends;
+mod fibre;
+mod helix;
 mod lay;
 mod measure;
 mod origin;
+mod plying;
 mod question;
+mod relative;
 mod strand;
 mod stretch;
+mod strings;
 mod support;
 mod twist;
 
@@ -19,6 +24,9 @@ use origin::Origins;
 
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
+pub(crate) use relative::any_thermal;
+pub use strings::{StringStiffness, Strings};
+
 use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
 
 /// A ply in which everything is known that the theory needs; lengths over r, forces over B/r², moments over B/r.
@@ -57,6 +65,8 @@ pub struct Case {
     pub strand_radius: Option<f64>,
     /// L/r, where the strand length is given.
     pub strand_length: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -164,6 +174,8 @@ pub enum Lay {
 impl Case {
     /// With the question what carries the strands, if `supports` asks for it or a core is given.
     pub(crate) fn of(spec: &Spec, supports: bool) -> Result<Self, SpecError> {
+        let spec = relative::resolved(spec)?;
+        let spec = spec.as_ref();
         let strands = strands(spec, 2)?;
         let strand = strand::Strand::of(spec)?;
         let measure = strand.measure(spec);
@@ -198,6 +210,7 @@ impl Case {
             scale: strand.scale,
             strand_radius: strand.radius,
             strand_length,
+            packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),
             origins: Origins::of(spec),
         })
@@ -222,6 +235,11 @@ impl Case {
     /// Whether a datum was given, and not taken to be 0.
     pub(crate) fn gives(&self, datum: Datum) -> bool {
         self.origins.give(datum)
+    }
+
+    /// A refusal of what no ply let go can be, at a datum or at any of its group.
+    pub(crate) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
+        self.origins.refuse_domain(datum, why)
     }
 
     /// A refusal of what goes with no study, at the first datum of those wanted, whose words begin the message.
@@ -250,6 +268,8 @@ pub struct Shape {
     pub hand: Option<Handedness>,
     /// r in m, where it is given.
     pub strand_radius: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -283,7 +303,8 @@ impl Shape {
             }
         };
         let units = PreferredUnits::of(spec);
-        Ok(Self { strands, lay, hand, strand_radius: radius, units, origins: Origins::of(spec) })
+        let packing_fraction = fibre::given_packing(spec)?;
+        Ok(Self { strands, lay, hand, strand_radius: radius, packing_fraction, units, origins: Origins::of(spec) })
     }
 
     /// As [`Case::locate`].

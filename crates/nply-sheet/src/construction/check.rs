@@ -19,6 +19,7 @@ pub(crate) struct Given {
     /// `None` where none is given; it may be 0.
     pub(crate) core_diameter: Option<f64>,
     pub(crate) core: Stuff,
+    pub(crate) core_strand: Option<Construction>,
     pub(crate) layers: Vec<GivenLayer>,
     pub(crate) measured: bool,
     pub(crate) units: PreferredUnits,
@@ -33,7 +34,7 @@ pub(crate) struct Stuff {
     pub(crate) poissons_ratio: Option<f64>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct GivenLayer {
     pub(crate) wires: u32,
     pub(crate) wire_diameter: Option<f64>,
@@ -42,7 +43,9 @@ pub(crate) struct GivenLayer {
     /// The gap that is wanted.
     pub(crate) gap: Option<f64>,
     pub(crate) stuff: Stuff,
-    pub(crate) preformed: Option<bool>,
+    pub(crate) preforming: f64,
+    pub(crate) pretwist: f64,
+    pub(crate) strand: Option<Construction>,
 }
 
 impl ConstructionSpec {
@@ -84,12 +87,23 @@ impl ConstructionSpec {
                 hand => hand.unwrap_or(Handedness::Right),
             };
             let Stuff { density, youngs_modulus, poissons_ratio } = layer.stuff;
-            let (wires, preformed) = (layer.wires, layer.preformed);
-            layers.push(Layer { wires, wire_diameter, lay, hand, density, youngs_modulus, poissons_ratio, preformed });
+            layers.push(Layer {
+                wires: layer.wires,
+                wire_diameter,
+                lay,
+                hand,
+                density,
+                youngs_modulus,
+                poissons_ratio,
+                preforming: layer.preforming,
+                pretwist: layer.pretwist,
+                strand: layer.strand.clone().map(Box::new),
+            });
         }
         let Stuff { density, youngs_modulus, poissons_ratio } = given.core;
         let core = given.core_diameter.filter(|diameter| *diameter > 0.0);
-        let core = core.map(|diameter| Core { diameter, density, youngs_modulus, poissons_ratio });
+        let strand = given.core_strand.map(Box::new);
+        let core = core.map(|diameter| Core { diameter, density, youngs_modulus, poissons_ratio, strand });
         let Given { title, measured, units, written, .. } = given;
         Ok(Construction { title, core, layers, measured, units, written })
     }
@@ -110,9 +124,13 @@ impl ConstructionSpec {
             Value::Text(text) => Some(text.clone()),
             _ => None,
         });
-        let core_diameter = match head(Datum::StrandCoreDiameter) {
-            Some(entry) if entry.number() == 0.0 => Some(0.0),
-            other => other.map(positive).transpose()?,
+        let core_strand = self.core_strand.as_ref().map(|strand| strand.check()).transpose()?;
+        let core_diameter = match (head(Datum::StrandCoreDiameter), &core_strand) {
+            (given, Some(strand)) => Some(self.diameter_of_strand(0, given, strand)?),
+            (given, None) => match given {
+                Some(entry) if entry.number() == 0.0 => Some(0.0),
+                other => other.map(positive).transpose()?,
+            },
         };
         let layers = self.layers.iter().enumerate().map(|(at, part)| self.layer(at, part)).collect::<Result<_, _>>()?;
         Ok(Given {
@@ -120,7 +138,8 @@ impl ConstructionSpec {
             outer_diameter: head(Datum::StrandOuterDiameter).map(positive).transpose()?,
             core_ratio: head(Datum::StrandCoreDiameterRatio).map(positive).transpose()?,
             core_diameter,
-            core: stuff(&self.head)?,
+            core: self.stuff_of(&self.head, core_strand.as_ref())?,
+            core_strand,
             layers,
             measured,
             units: PreferredUnits::first_written(self.all()),
@@ -154,33 +173,47 @@ impl ConstructionSpec {
             }
             gap => gap.map(Entry::number),
         };
-        let switch = |entry: &Entry| matches!(entry.value, Value::Switch(true));
         let hand = get(Datum::LayerHand).and_then(|entry| match entry.value {
             Value::Hand(hand) => Some(hand),
             _ => None,
         });
+        let strand = part.strand.as_ref().map(|strand| strand.check()).transpose()?;
+        let wire_diameter = match (get(Datum::LayerWireDiameter), &strand) {
+            (given, Some(strand)) => Some(self.diameter_of_strand(at, given, strand)?),
+            (given, None) => given.map(positive).transpose()?,
+        };
+        let preforming = get(Datum::LayerPreforming).map_or(1.0, Entry::number);
+        if let (Some(entry), false) = (get(Datum::LayerPreforming), (0.0..=1.0).contains(&preforming)) {
+            let message =
+                format!("{}: wires are preformed by 0 (straight) to 1 (free of stress in their lay)", entry.said());
+            return Err(entry.error(ErrorKind::Domain, message));
+        }
         Ok(GivenLayer {
             wires: whole(wires)?,
-            wire_diameter: get(Datum::LayerWireDiameter).map(positive).transpose()?,
+            wire_diameter,
             lay,
             hand,
             gap,
-            stuff: stuff(&part.entries)?,
-            preformed: get(Datum::LayerPreformed).map(switch),
+            stuff: self.stuff_of(&part.entries, strand.as_ref())?,
+            preforming,
+            pretwist: get(Datum::LayerPretwist).map_or(Ok(0.0), turning)?,
+            strand,
         })
     }
 
     /// Whether the input has units. All that has a dimension has one, or nothing has; only 0 is 0 in every unit.
     fn measured(&self) -> Result<bool, SpecError> {
         let has_dimension = |entry: &&Entry| {
-            matches!(entry.key.kind, Kind::Length | Kind::Density | Kind::Modulus) || is_material(entry.key.datum)
+            let kinds = [Kind::Length, Kind::Density, Kind::Modulus, Kind::Force, Kind::Moment, Kind::TurnsPerLength];
+            kinds.contains(&entry.key.kind) || is_material(entry.key.datum)
         };
         let is_measured = |entry: &Entry| entry.is_measured() || is_material(entry.key.datum);
         let with = self.all().filter(has_dimension).find(|entry| is_measured(entry));
         let without = self.all().filter(has_dimension).find(|entry| !is_measured(entry) && entry.number() != 0.0);
         if let (Some(with), Some(without)) = (with, without) {
+            let has = if is_material(with.key.datum) { "stands for a density in kg/m³" } else { "has" };
             let message = format!(
-                "{} has no unit, but {} has: write units everywhere, or nowhere; what is wanted is {}",
+                "{} has no unit, but {} {has}: write units everywhere, or nowhere; what is wanted is {}",
                 without.said(),
                 with.said(),
                 without.key.kind.wanted()
@@ -188,6 +221,29 @@ impl ConstructionSpec {
             return Err(without.error(ErrorKind::WrongUnit, message));
         }
         Ok(with.is_some())
+    }
+
+    /// The outer diameter of a strand within; its diameter cannot be given as well.
+    fn diameter_of_strand(&self, at: usize, given: Option<&Entry>, strand: &Construction) -> Result<f64, SpecError> {
+        if let Some(entry) = given {
+            let message =
+                format!("{} follows from the strand that is described below it: remove one of the two", entry.said());
+            return Err(entry.error(ErrorKind::Contradiction, message));
+        }
+        Ok(2.0 * strand.laid().map_err(|error| self.locate(at, &error))?.outer_radius())
+    }
+
+    /// What is said of a material, or of the strand within: its mass per length over its outline.
+    fn stuff_of(&self, entries: &[Entry], strand: Option<&Construction>) -> Result<Stuff, SpecError> {
+        let own = stuff(entries)?;
+        let Some(strand) = strand else { return Ok(own) };
+        let named = |kind| entries.iter().find(|entry| entry.key.kind == kind || is_material(entry.key.datum));
+        let poisson = || entries.iter().find(|entry| entry.key.name == "poissons_ratio");
+        if let Some(entry) = named(Kind::Density).or_else(|| named(Kind::Modulus)).or_else(poisson) {
+            let message = format!("{} belongs to the wires of the strand that is described below it", entry.said());
+            return Err(entry.error(ErrorKind::Contradiction, message));
+        }
+        Ok(Stuff { density: strand.mean_density(), ..Stuff::default() })
     }
 
     /// What a layer lacks.
@@ -206,6 +262,12 @@ impl ConstructionSpec {
 
 const fn is_material(datum: Datum) -> bool {
     matches!(datum, Datum::StrandCoreMaterial | Datum::LayerMaterial)
+}
+
+/// Turns per length as rad per length; bare ones are turns too.
+pub(super) fn turning(entry: &Entry) -> Result<f64, SpecError> {
+    let rad = if entry.is_measured() { entry.number() } else { core::f64::consts::TAU * entry.number() };
+    entry.finite(rad)
 }
 
 fn positive(entry: &Entry) -> Result<f64, SpecError> {

@@ -4,9 +4,11 @@ use nply::DomainError;
 use nply::geometry::{WireLay, WireLayer, WireStrand};
 
 use super::check::{Given, GivenLayer, Stuff};
-use super::{ConstructionSpec, Core};
+use super::{Construction, ConstructionSpec, Core};
 use crate::key::Group;
-use crate::{Datum, ErrorKind, PreferredUnits, SpecError, Table};
+use crate::preferred::six_digits;
+use crate::spec::Entry;
+use crate::{Datum, Dimension, ErrorKind, PreferredUnits, SpecError, Table};
 
 /// A layered strand laid, with what had to be found for it.
 ///
@@ -16,7 +18,7 @@ use crate::{Datum, ErrorKind, PreferredUnits, SpecError, Table};
 /// let flags = [("strands", "6"), ("wire-diameter", "3.73 mm"), ("lay-length", "115 mm"), ("gap", "0.05 mm")];
 /// let fit = ConstructionSpec::from_flags(flags)?.check_fit()?;
 /// assert!((fit.strand.layers()[0].gap() - 5e-5).abs() < 1e-16);
-/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.9548e-3).abs() < 5e-8);
+/// assert!((2.0 * fit.strand.layers()[0].core_radius() - 3.95526e-3).abs() < 5e-9);
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +37,7 @@ pub struct Fit {
     /// The units the input was written in.
     pub units: PreferredUnits,
     pub(crate) core: Stuff,
+    core_strand: Option<Construction>,
     pub(crate) layers: Vec<GivenLayer>,
 }
 
@@ -54,10 +57,10 @@ impl ConstructionSpec {
         let mut strand = WireStrand::on_core(core_diameter.map(|diameter| 0.5 * diameter))
             .map_err(|error| self.locate(0, &error))?;
         let mut nominal = Vec::new();
-        let mut below = core_diameter.map(|diameter| 0.5 * diameter);
+        let mut below = core_diameter.map(|diameter| 0.5 * diameter).filter(|radius| *radius > 0.0);
         for (at, layer) in given.layers.iter().enumerate() {
-            let refused = |error: DomainError| self.locate(at, &error);
             let radius = 0.5 * layer.wire_diameter.ok_or_else(|| self.ask(at, Datum::LayerWireDiameter))?;
+            let refused = |error: DomainError| refusal(self, &given, at, radius, &error);
             let lay = match (layer.lay, strand.layers().last(), core_diameter) {
                 (Some(lay), ..) => lay,
                 (None, None, None) => return Err(self.ask(at, Datum::LayerLayLength)),
@@ -71,13 +74,15 @@ impl ConstructionSpec {
             let laid = strand.lay(layer.wires, radius, lay).map_err(refused)?;
             let drawn = match below {
                 Some(below) => WireLayer::on_core(layer.wires, radius, below, lay).map_err(refused)?,
-                None => laid,
+                None => {
+                    WireLayer::without_core(layer.wires, radius, WireLay::Length(laid.lay_length())).map_err(refused)?
+                }
             };
             below = Some(drawn.lay_radius() + radius);
             nominal.push(drawn);
         }
-        let Given { title, measured, units, core, layers, .. } = given;
-        Ok(Fit { title, strand, nominal, found, measured, units, core, layers })
+        let Given { title, measured, units, core, core_strand, layers, .. } = given;
+        Ok(Fit { title, strand, nominal, found, measured, units, core, core_strand, layers })
     }
 }
 
@@ -87,7 +92,51 @@ impl Fit {
     pub fn core(&self) -> Option<Core> {
         let diameter = self.strand.core_radius().map(|radius| 2.0 * radius).filter(|diameter| *diameter > 0.0)?;
         let Stuff { density, youngs_modulus, poissons_ratio } = self.core;
-        Some(Core { diameter, density, youngs_modulus, poissons_ratio })
+        let strand = self.core_strand.clone().map(Box::new);
+        Some(Core { diameter, density, youngs_modulus, poissons_ratio, strand })
+    }
+}
+
+/// The refusal of a layer of wires of radius r, in the words of whoever wrote it.
+fn refusal(spec: &ConstructionSpec, given: &Given, at: usize, radius: f64, error: &DomainError) -> SpecError {
+    let length = |value: f64| match given.measured {
+        true => given.units.format(Dimension::LENGTH, value),
+        false => six_digits(value),
+    };
+    let Some(layer) = given.layers.get(at) else { return spec.locate(at, error) };
+    let entry = |wanted: fn(&Entry) -> bool| {
+        spec.layers.get(at).and_then(|part| part.entries.iter().find(|entry| wanted(entry)))
+    };
+    let wires = format!("{} wires of {}", layer.wires, length(2.0 * radius));
+    let rings = 2.0 * radius * f64::from(layer.wires);
+    let lay = entry(|entry| entry.key.group == Some(Group::LayerLay));
+    match (error.quantity, lay) {
+        ("lay_length", Some(lay)) if error.value <= 1.5 * rings => {
+            let message = format!(
+                "{} is too short a lay for {wires}: as flat rings on top of each other they need {}, and any lay more than that",
+                lay.said(),
+                length(rings)
+            );
+            lay.error(ErrorKind::Domain, message)
+        }
+        ("core_radius", None) => {
+            let gap = match layer.gap {
+                Some(gap) if gap > 0.0 => format!("leave no more than a gap of {}", length(gap)),
+                _ => "leave no gap between each other".to_owned(),
+            };
+            let message = format!(
+                "the lay is missing, and none can be found: {wires} {gap} on {} even where they are straight, and come closer the shorter their \
+                 lay; give {}, or a larger core",
+                length(2.0 * error.value),
+                spec.ask_for(Datum::LayerLayLength)
+            );
+            let place = entry(|entry| entry.key.datum == Datum::LayerWires);
+            match place {
+                Some(entry) => entry.error(ErrorKind::Domain, message),
+                None => spec.missing(Some(at), Datum::LayerLayLength, message),
+            }
+        }
+        _ => spec.locate(at, error),
     }
 }
 
@@ -98,7 +147,7 @@ fn sizes(
     found: &mut Vec<&'static str>,
 ) -> Result<(Option<f64>, Given), SpecError> {
     let several = given.layers.len() > 1;
-    let first = given.layers.first().copied();
+    let first = given.layers.first().cloned();
     let Some(first) = first else { return Err(spec.ask(0, Datum::LayerWires)) };
     let outer = given.outer_diameter;
     if let (Some(_), Some(entry)) = (outer, spec.head(Datum::StrandOuterDiameter)) {
@@ -171,26 +220,10 @@ fn sizes(
 /// The core that leaves the gap that is wanted, or none.
 fn king_wire(spec: &ConstructionSpec, layer: &GivenLayer, wire_diameter: f64) -> Result<f64, SpecError> {
     let lay = layer.lay.ok_or_else(|| spec.ask(0, Datum::LayerLayLength))?;
-    let gap = layer.gap.unwrap_or(0.0);
-    if let (WireLay::Ratio(_), true) = (lay, gap > 0.0) {
-        let entry = spec
-            .layers
-            .first()
-            .and_then(|part| part.entries.iter().find(|entry| entry.key.group == Some(Group::LayerLay)));
-        if let Some(entry) = entry {
-            let message = format!(
-                "{} counts the outer diameter, which is not known before the core is found: give the lay length or the outer diameter",
-                entry.said()
-            );
-            return Err(entry.error(ErrorKind::Contradiction, message));
-        }
-    }
-    let located = |error: DomainError| spec.locate(0, &error);
-    // wires thicker by the gap that touch lie as these do; an angle is theirs too
-    let thick = WireLayer::without_core(layer.wires, 0.5 * (wire_diameter + gap), lay).map_err(located)?;
-    let core = 2.0 * thick.king_wire_radius() + gap;
-    if core > 0.0 {
-        return Ok(core);
+    let (radius, gap) = (0.5 * wire_diameter, layer.gap.unwrap_or(0.0));
+    let cored = WireLayer::on_king_wire(layer.wires, radius, gap, lay).map_err(|error| spec.locate(0, &error))?;
+    if cored.core_radius() > 0.0 {
+        return Ok(2.0 * cored.core_radius());
     }
     let message = "two wires in line contact leave no room for a core between them: give a gap, or no core";
     Err(spec.missing(Some(0), Datum::LayerGap, message))

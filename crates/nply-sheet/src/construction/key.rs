@@ -11,7 +11,7 @@ use crate::{Datum, Key, Kind, Table};
 /// assert_eq!((key.table.name(), key.name), ("layer", "wires"));
 /// ```
 #[rustfmt::skip] // a table: one row a line
-pub static CONSTRUCTION_KEYS: [Key; 20] = [
+pub static CONSTRUCTION_KEYS: [Key; 26] = [
     key(Datum::StrandTitle, Table::Construction, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::StrandOuterDiameter, Table::Construction, "outer_diameter", "outer-diameter", Kind::Length, "Outer diameter that is wanted; the wire diameter is found"),
 
@@ -33,5 +33,13 @@ pub static CONSTRUCTION_KEYS: [Key; 20] = [
     key(Datum::LayerMaterial, Table::Layer, "material", "wire-material", Kind::Text, "Material of the wires, for their density: steel, galvanised steel, aluminium, copper").one_of(Group::Density),
     key(Datum::LayerYoungsModulus, Table::Layer, "youngs_modulus", "wire-youngs-modulus", Kind::Modulus, "Young's modulus of the wires"),
     key(Datum::LayerPoissonsRatio, Table::Layer, "poissons_ratio", "wire-poissons-ratio", Kind::Number, "Poisson's ratio of the wires"),
-    key(Datum::LayerPreformed, Table::Layer, "preformed", "preformed", Kind::Switch, "Whether the wires are free of stress in their lay"),
+    key(Datum::LayerPreforming, Table::Layer, "preforming", "preforming", Kind::Number, "How far the wires were bent to their lay before they were laid: 0 straight, 1 (the default) free of stress in it"),
+    key(Datum::LayerPretwist, Table::Layer, "pretwist_per_length", "wire-pretwist", Kind::TurnsPerLength, "Turns put into each wire per wire length before it was laid, right-handed positive"),
+
+    key(Datum::CableForce, Table::Load, "force", "force", Kind::Force, "Force on the strand or rope, tension positive"),
+    key(Datum::CableMoment, Table::Load, "moment", "moment", Kind::Moment, "Moment on its ends, right-handed positive; 0 on a swivel").one_of(Group::Ends),
+    key(Datum::CableTurning, Table::Load, "turns_per_length", "turns-per-length", Kind::TurnsPerLength, "Turns put into it from the lay as made, per length; 0 (the default) where the ends cannot turn").one_of(Group::Ends),
+
+    key(Datum::CableTorqueFactor, Table::Construction, "torque_factor", "torque-factor", Kind::Number, "Moment over force and outer diameter that is wanted; the lay of a layer for it is found"),
+    key(Datum::CableBalancedLayer, Table::Construction, "balanced_layer", "balanced-layer", Kind::Count, "The layer whose lay, or pretwist, is found for that, 1 the innermost; the outermost if absent"),
 ];

@@ -17,6 +17,7 @@
 //! # Ok::<(), nply_sheet::SpecError>(())
 //! ```
 
+mod cable;
 mod check;
 mod fit;
 mod key;
@@ -26,6 +27,7 @@ mod written;
 use nply::geometry::WireLay;
 use nply::{DomainError, Handedness};
 
+pub use cable::{CableCase, CableQuestion};
 pub(crate) use check::GivenLayer;
 pub use fit::Fit;
 pub use key::CONSTRUCTION_KEYS;
@@ -55,7 +57,7 @@ pub struct Construction {
 }
 
 /// A straight core: a king wire, or anything round.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Core {
     /// > 0.
@@ -66,10 +68,12 @@ pub struct Core {
     pub youngs_modulus: Option<f64>,
     /// ν, greater than −1 and at most 0.5.
     pub poissons_ratio: Option<f64>,
+    /// Where the core is a strand itself: that strand.
+    pub strand: Option<Box<Construction>>,
 }
 
 /// Wires alike, laid side by side.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Layer {
     /// n, 2 to a million.
@@ -86,8 +90,12 @@ pub struct Layer {
     pub youngs_modulus: Option<f64>,
     /// ν, greater than −1 and at most 0.5.
     pub poissons_ratio: Option<f64>,
-    /// Whether the wires are free of stress in their lay; `None` where it is not said.
-    pub preformed: Option<bool>,
+    /// How far the wires were bent to their lay beforehand: 0 straight, 1 free of stress in it, which they are where nothing is said.
+    pub preforming: f64,
+    /// Twist put into each wire before it was laid, rad per wire length, right-handed positive.
+    pub pretwist: f64,
+    /// Where each of its "wires" is a strand: that strand.
+    pub strand: Option<Box<Construction>>,
 }
 
 impl Construction {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nply::DomainError;
 use toml::Spanned;
-use toml::de::DeValue;
+use toml::de::{DeTable, DeValue};
 
 use super::CONSTRUCTION_KEYS;
 use crate::key::{Group, nearest};
@@ -35,6 +35,8 @@ pub struct ConstructionSpec {
     pub(super) head: Vec<Entry>,
     /// `[[layer]]`, from the inside.
     pub(super) layers: Vec<Part>,
+    /// `[core.strand]`: what the core is made of, where it is a strand itself.
+    pub(super) core_strand: Option<Box<Self>>,
     /// The beginning of the file; `None` where all came from flags.
     pub(super) start: Option<Place>,
 }
@@ -43,8 +45,16 @@ pub struct ConstructionSpec {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Part {
     pub(super) entries: Vec<Entry>,
+    /// `[layer.strand]`: what each of its rods is made of, where it is a strand itself.
+    pub(super) strand: Option<Box<ConstructionSpec>>,
     place: Place,
 }
+
+/// The table of a strand within.
+const STRAND: &str = "strand";
+
+/// Wires in strands in ropes in cables: no deeper.
+const DEEPEST: usize = 3;
 
 /// A strand of more layers than this is no strand.
 const MOST_LAYERS: usize = 100;
@@ -64,19 +74,39 @@ impl ConstructionSpec {
         let name: Arc<str> = Arc::from(file_name);
         let place = |bytes: Range<usize>| Place::in_file(&name, text, bytes);
         let document = parse(text, &place)?;
-        let mut spec = Self { head: Vec::new(), layers: Vec::new(), start: Some(place(0..0)) };
-        for (header, value) in in_order(document.get_ref()) {
+        Self::read(document.get_ref(), text, &place, place(0..0), 0)
+    }
+
+    /// The tables of a strand, of the file or of a strand within.
+    fn read(
+        tables: &DeTable<'_>,
+        text: &str,
+        place: &impl Fn(Range<usize>) -> Place,
+        start: Place,
+        depth: usize,
+    ) -> Result<Self, SpecError> {
+        let mut spec = Self { head: Vec::new(), layers: Vec::new(), core_strand: None, start: Some(start) };
+        for (header, value) in in_order(tables) {
             let here = place(header.span());
             match (&**header.get_ref(), value.get_ref()) {
                 ("construction", DeValue::Table(_)) => {
-                    spec.head.extend(entries(Table::Construction, value, text, &place)?);
+                    spec.head.extend(entries(Table::Construction, value, text, place)?);
                 }
-                ("core", DeValue::Table(_)) => spec.head.extend(entries(Table::Core, value, text, &place)?),
+                ("load", DeValue::Table(_)) if depth == 0 => {
+                    spec.head.extend(entries(Table::Load, value, text, place)?)
+                }
+                ("core", DeValue::Table(content)) => {
+                    spec.head.extend(entries(Table::Core, value, text, place)?);
+                    spec.core_strand = Self::within(content, text, place, depth)?;
+                }
                 ("layer", DeValue::Array(layers)) if layers.len() <= MOST_LAYERS => {
                     for layer in layers.iter() {
-                        let DeValue::Table(_) = layer.get_ref() else { return Err(no_layer(place(layer.span()))) };
-                        let entries = entries(Table::Layer, layer, text, &place)?;
-                        spec.layers.push(Part { entries, place: place(layer.span()) });
+                        let DeValue::Table(content) = layer.get_ref() else {
+                            return Err(no_layer(place(layer.span())));
+                        };
+                        let entries = entries(Table::Layer, layer, text, place)?;
+                        let strand = Self::within(content, text, place, depth)?;
+                        spec.layers.push(Part { entries, strand, place: place(layer.span()) });
                     }
                 }
                 ("layer", DeValue::Array(_)) => {
@@ -84,7 +114,7 @@ impl ConstructionSpec {
                     return Err(SpecError::new(ErrorKind::Domain, here, message).of_key("layer"));
                 }
                 ("layer", _) => return Err(no_layer(here)),
-                (written @ ("construction" | "core"), _) => {
+                (written @ ("construction" | "core" | "load"), _) if depth == 0 || written != "load" => {
                     let message = format!(
                         "`{written}` is a table of its own: write `[{written}]` once, and its keys on the lines below"
                     );
@@ -94,6 +124,29 @@ impl ConstructionSpec {
             }
         }
         Ok(spec)
+    }
+
+    /// The strand that a core, or each rod of a layer, is made of.
+    fn within(
+        content: &DeTable<'_>,
+        text: &str,
+        place: &impl Fn(Range<usize>) -> Place,
+        depth: usize,
+    ) -> Result<Option<Box<Self>>, SpecError> {
+        let Some((header, value)) = in_order(content).into_iter().find(|(header, _)| header.get_ref() == STRAND) else {
+            return Ok(None);
+        };
+        let here = place(header.span());
+        let refused = |message: String| Err(SpecError::new(ErrorKind::WrongType, here.clone(), message).of_key(STRAND));
+        match value.get_ref() {
+            DeValue::Table(_) if depth >= DEEPEST => {
+                refused(format!("strands of strands are taken no deeper than {DEEPEST} times"))
+            }
+            DeValue::Table(tables) => Self::read(tables, text, place, here, depth + 1).map(|spec| Some(Box::new(spec))),
+            _ => refused(
+                "`strand` is a strand within: write its `core` and its `[[layer.strand.layer]]` below".to_owned(),
+            ),
+        }
     }
 
     /// As [`from_toml`](Self::from_toml), from bytes that may not be text at all.
@@ -164,9 +217,9 @@ impl ConstructionSpec {
                     }
                 }
             }
-            layers.push(Part { entries, place: Place::Flag("strands".to_owned()) });
+            layers.push(Part { entries, strand: None, place: Place::Flag("strands".to_owned()) });
         }
-        Ok(Self { head, layers, start: None })
+        Ok(Self { head, layers, core_strand: None, start: None })
     }
 
     /// This description with `flags` laid over it, layer by layer; flags of one layer replace what every layer of a file says.
@@ -215,7 +268,18 @@ impl ConstructionSpec {
         let of_layers = || self.layers.iter().flat_map(|part| &part.entries);
         let is_size = |entry: &&Entry| entry.key.datum == Datum::LayerWireDiameter;
         let rest = of_layers().filter(move |entry| !is_size(entry));
-        of_layers().filter(is_size).chain(&self.head).chain(rest)
+        let own = of_layers().filter(is_size).chain(&self.head).chain(rest);
+        let within: Vec<&Entry> =
+            self.within_it().flat_map(|spec| Box::new(spec.all()) as Box<dyn Iterator<Item = &Entry>>).collect();
+        own.chain(within)
+    }
+
+    /// The strands within.
+    fn within_it(&self) -> impl Iterator<Item = &Self> {
+        self.core_strand
+            .iter()
+            .chain(self.layers.iter().filter_map(|part| part.strand.as_ref()))
+            .map(|strand| &**strand)
     }
 
     /// How to ask for a datum: `diameter` in [core], or `--core-diameter` where all is flags.
@@ -295,6 +359,9 @@ fn entries(
     let mut found = Vec::new();
     for (key, value) in in_order(content) {
         let written: &str = key.get_ref();
+        if written == STRAND && matches!(table, Table::Core | Table::Layer) {
+            continue; // read as a strand of its own
+        }
         let Some(known) = CONSTRUCTION_KEYS.iter().find(|known| known.table == table && known.name == written) else {
             return Err(unknown_key(table, written, place(key.span())));
         };
@@ -327,13 +394,13 @@ fn unknown_table(written: &str, place: Place) -> SpecError {
         None if Table::ALL.iter().any(|table| table.name() == written) => {
             Some("a ply of strands alone is described to `nply solve` and `nply contact`".to_owned())
         }
-        None => nearest(written, ["construction", "core", "layer"].into_iter()).map(|name| match name {
+        None => nearest(written, ["construction", "core", "layer", "load"].into_iter()).map(|name| match name {
             "layer" => "did you mean `[[layer]]`?".to_owned(),
             _ => format!("did you mean `[{name}]`?"),
         }),
     };
     let message = format!(
-        "{} is no table of a layered strand: the tables are [construction], [core] and one [[layer]] for each layer",
+        "{} is no table of a layered strand: the tables are [construction], [core], [load] and one [[layer]] for each layer",
         ticked(written)
     );
     SpecError::new(ErrorKind::UnknownKey, place, message).of_key(written).with_help(help)

@@ -27,4 +27,5 @@ pub use axis::Axis;
 pub use chart::{Chart, Curve, Marker, MarkerShape};
 pub use field::Field;
 pub use palette::ColourMap;
+pub(crate) use palette::STRANDS;
 pub use picture::{Panel, Picture};

@@ -11,6 +11,16 @@ pub(super) const LINES: [[u8; 3]; 7] = [
     [0x00, 0x00, 0x00],
 ];
 
+/// For strands, which are shaded and need no black.
+pub(crate) const STRANDS: [[u8; 3]; 6] = [
+    [0x00, 0x72, 0xb2],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x9e, 0x73],
+    [0xcc, 0x79, 0xa7],
+    [0xe6, 0x9f, 0x00],
+    [0x56, 0xb4, 0xe9],
+];
+
 /// The same for areas: pale before strong, so that lines over them stay visible.
 pub(super) const AREAS: [[u8; 3]; 8] = [
     [0xe4, 0xe4, 0xe4],

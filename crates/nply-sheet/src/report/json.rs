@@ -14,7 +14,7 @@ use crate::Question;
 const SCHEMA_VERSION: u32 = 1;
 
 /// Who wrote this, and in which layout.
-pub(super) fn header() -> Map<String, Value> {
+pub(crate) fn header() -> Map<String, Value> {
     let mut top = Map::new();
     top.insert("program".into(), json!("nply"));
     top.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));

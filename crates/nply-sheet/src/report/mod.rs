@@ -1,35 +1,50 @@
 //! What a person reads out: one report, rendered as a table, as JSON or as CSV.
 
+mod clearance;
 mod column;
 mod csv;
+mod curve;
 mod fit;
 mod item;
 mod json;
 mod lays;
+mod link;
 mod locus;
 mod locus_picture;
 mod margin;
 mod measure;
+mod plying;
 mod shape;
+mod stiffness;
 mod stretch;
+mod strings;
 mod support;
 mod text;
 mod trace;
 mod verdict;
+mod writhe;
 
 use nply::Handedness;
 use nply::mechanics::{Axial, Balance, Ends, Equilibrium, Turning};
 
+pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
+pub use curve::Extension;
 pub use fit::FitReport;
 pub use lays::LaysReport;
+pub use link::{Link, LinkReport};
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
+pub use plying::PlyingReport;
 pub use shape::ShapeReport;
+pub use stiffness::StiffnessReport;
+pub use strings::StringsReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
+pub use writhe::{WritheQuestion, WritheReport, Writhing};
 
 pub(crate) use csv::unit_suffix;
+pub(crate) use json::header;
 
 use crate::{Case, Question, SpecError, solve::Solution};
 
@@ -65,7 +80,8 @@ impl Report {
     /// [`SpecError`] where the theory refuses a premise, at the place of the datum it comes from.
     pub fn of(case: Case) -> Result<Self, SpecError> {
         let solution = case.solve().map_err(|error| case.locate(&error))?;
-        let notes = notes(&case, &solution);
+        let mut notes = notes(&case, &solution);
+        notes.extend(packing(&case));
         Ok(Self { case, solution, notes })
     }
 
@@ -81,6 +97,20 @@ impl Report {
     fn margins(&self, state: &Equilibrium) -> margin::Margins {
         if at_separation(&self.case) { margin::Margins::NONE } else { margin::Margins::of(state) }
     }
+}
+
+/// What is taken for granted where a titre gives the size.
+pub(super) fn packing(case: &Case) -> Option<String> {
+    case.packing_fraction.map(packing_of)
+}
+
+fn packing_of(share: f64) -> String {
+    let share = crate::preferred::six_digits(share);
+    let solid = if share == "1" { " (solid)" } else { "" };
+    format!(
+        "The strand's diameter follows from its linear density at a packing fraction of {share}{solid}; the fibres of a yarn \
+         leave room between them, the more the less it is twisted."
+    )
 }
 
 /// The quantity a question finds besides the shape, by its column's name.

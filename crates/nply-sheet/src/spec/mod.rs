@@ -1,11 +1,12 @@
 //! What was written, and where: the same from a file as from flags.
 
 pub(crate) mod file;
+mod hand;
 
 use nply::Handedness;
 use nply::mechanics::Balance;
 
-use crate::key::nearest;
+use crate::key::{Group, nearest};
 use crate::{
     Case, Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, Shape, SpecError, Table,
 };
@@ -171,10 +172,20 @@ impl Spec {
         merged.entries.retain(|entry| !replaced(entry));
         merged.entries.extend(flags.entries.iter().cloned());
         merged.start = merged.start.or_else(|| flags.start.clone());
+        // a size takes the place of a titre's, and a titre with its density that of a size
+        let replaces = |datum| flags.get(datum).is_some();
+        let from_flag = |entry: &Entry| matches!(entry.place, Place::Flag(_));
+        if flags.entries.iter().any(|flag| flag.key.group == Some(Group::Size)) {
+            let of_titre = [Datum::Density, Datum::PackingFraction];
+            merged.entries.retain(|entry| from_flag(entry) || !of_titre.contains(&entry.key.datum));
+        } else if replaces(Datum::Density) {
+            merged.entries.retain(|entry| from_flag(entry) || entry.key.group != Some(Group::Size));
+        }
         // a temperature that no persistence length asks for any more goes with it
         let persistent = [Datum::BendingPersistenceLength, Datum::TwistPersistenceLength];
         let lost = |datum: &Datum| self.get(*datum).is_some();
-        if persistent.iter().any(lost) && persistent.iter().all(|datum| merged.get(*datum).is_none()) {
+        let still = persistent.iter().any(|datum| merged.get(*datum).is_some()) || crate::case::any_thermal(&merged);
+        if persistent.iter().any(lost) && !still {
             merged
                 .entries
                 .retain(|entry| entry.key.datum != Datum::Temperature || matches!(entry.place, Place::Flag(_)));
@@ -217,6 +228,37 @@ impl Spec {
     /// ```
     pub fn check_supports(&self) -> Result<Case, SpecError> {
         Case::of(self, true)
+    }
+
+    /// As [`Spec::check`], of a ply that is spun and let go: the twist of its singles, a wanted lay, or both.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`Spec::check`], where a load is given, or a lay whose hand is not.
+    ///
+    /// ```
+    /// use nply_sheet::{Question, Spec};
+    /// let flags = [("strands", "2"), ("stiffness-ratio", "1"), ("helical-angle", "20 deg"), ("hand", "S")];
+    /// let case = Spec::from_flags(flags)?.check_plying()?;
+    /// assert!(matches!(case.question, Question::PretwistAt { .. }));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_plying(&self) -> Result<Case, SpecError> {
+        Case::of_plying(self)
+    }
+
+    /// Strings that a motor twists together: number, size, length, pull, and turns if not all that go in are meant.
+    ///
+    /// # Errors
+    /// [`SpecError`] where one of these is missing, more turns are asked for than go in, or what such strings have not is given.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// let flags = [("strands", "2"), ("diameter", "1 mm"), ("strand-length", "0.5 m"), ("force", "20 N")];
+    /// assert_eq!(Spec::from_flags(flags)?.check_strings()?.rotation, None);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_strings(&self) -> Result<crate::Strings, SpecError> {
+        crate::Strings::of(self)
     }
 
     /// Whether strands are to stretch.
@@ -336,7 +378,12 @@ pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<
         }
         _ => {}
     }
-    let quantity = Quantity::parse(text).map_err(|found| {
+    let (number, hand) = if key.takes_hand() { hand::split(text) } else { (text, None) };
+    let parsed = match key.kind {
+        Kind::LinearDensity => Quantity::parse_linear_density(number),
+        _ => Quantity::parse(number),
+    };
+    let quantity = parsed.map_err(|found| {
         let kind = match found {
             QuantityError::NotFinite { .. } | QuantityError::OutOfRange { .. } => ErrorKind::Domain,
             QuantityError::UnknownUnit { .. } => ErrorKind::WrongUnit,
@@ -353,10 +400,13 @@ pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<
     })?;
     let right = match &quantity {
         Quantity::Bare(_) => key.kind.may_be_bare(),
-        Quantity::Measured { unit, .. } => key.kind.dimension() == Some(unit.dimension()),
+        Quantity::Measured { unit, .. } => {
+            key.kind.dimension() == Some(unit.dimension()) || key.kind.is_relative(unit.dimension())
+        }
     };
     if right {
-        return Ok(Value::Quantity(quantity));
+        let handed = hand::signed(quantity, number, hand);
+        return handed.map(Value::Quantity).map_err(|said| error(ErrorKind::Contradiction, said));
     }
     let found = quantity.dimension();
     let said = QuantityError::WrongDimension { read: crate::quoted(text.trim()), found, wanted: key.kind.wanted() };

@@ -1,5 +1,8 @@
 //! What is asked the other way round: the core, the lay or the wires for a gap that is wanted.
 
+use core::f64::consts::PI;
+
+use super::lay::where_rising;
 use super::wire_layer::{check_size, touching};
 use super::{Contact, WireLay, WireLayer, check_strands};
 use crate::DomainError;
@@ -29,6 +32,39 @@ impl WireLayer {
         let thick = thickened(self.wire_radius(), gap)?;
         // r′ρ − r = r′(ρ − 1) + g/2
         Ok(touching(self.wires(), thick, self.lay_length())?.hole_radius() * thick + 0.5 * gap)
+    }
+
+    /// The layer of n wires of radius r with the gap g between neighbours, on the core that this asks for.
+    ///
+    /// # Errors
+    /// [`DomainError`] on `strands`, `wire_radius`, `gap`, and on a lay too short for wires with this gap.
+    ///
+    /// ```
+    /// use nply::geometry::{WireLay, WireLayer};
+    /// let layer = WireLayer::on_king_wire(6, 1.865, 0.05, WireLay::Ratio(10.0))?;
+    /// assert!((layer.gap() - 0.05).abs() < 1e-14);
+    /// assert!((layer.lay_length() / (2.0 * (layer.lay_radius() + 1.865)) - 10.0).abs() < 1e-14);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn on_king_wire(wires: u32, wire_radius: f64, gap: f64, lay: WireLay) -> Result<Self, DomainError> {
+        check_strands(wires)?;
+        check_size(wire_radius, "wire_radius")?;
+        let thick = thickened(wire_radius, gap)?;
+        let contact = match lay.checked()? {
+            WireLay::Length(length) => touching(wires, thick, length)?,
+            WireLay::Angle(theta) => Contact::new(wires, theta)?,
+            WireLay::Ratio(ratio) => {
+                let allowed = "within 140 orders of magnitude of 1";
+                DomainError::check((1e-140..=1e140).contains(&ratio), "lay_ratio", ratio, allowed)?;
+                // π over the ratio of 2πρr′/tan θ to 2(ρr′ + r)
+                where_rising(wires, PI / ratio, |at| {
+                    at.sin * (at.cos.recip() + (wire_radius / thick) * at.radius.recip())
+                })
+            }
+        };
+        let core_radius = contact.hole_radius() * thick + 0.5 * gap;
+        let lay_length = if let WireLay::Length(length) = lay { length } else { contact.lay_length() * thick };
+        Self::on_core(wires, wire_radius, core_radius, WireLay::Length(lay_length))
     }
 
     /// The layer of n wires of radius r on a core of radius R_c whose lay length leaves the gap g between neighbours: 0, they just touch.

@@ -2,7 +2,6 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::wire_lay::POSITIVE;
 use super::{Contact, HelicalAngle, WireLay, check_strands};
 use crate::DomainError;
 
@@ -59,19 +58,29 @@ impl LayerContact {
 /// A gap that is smaller than this share of the lay radius is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+/// What lay length n wires take.
+const RINGS: &str = "greater than the wires' number times their diameter (and a gap that is wanted), where they are flat rings on top of each other";
+
+const LARGEST: f64 = 1e100;
+
 pub(super) fn check_size(size: f64, quantity: &'static str) -> Result<(), DomainError> {
-    DomainError::check(size > 0.0 && size < f64::INFINITY, quantity, size, POSITIVE)
+    // areas and their sums are numbers, too
+    let allowed = "greater than 0 (at least 1e-100) and at most 1e100";
+    DomainError::check((1e-100..=LARGEST).contains(&size), quantity, size, allowed)
+}
+
+pub(super) fn check_core(radius: f64) -> Result<(), DomainError> {
+    DomainError::check((0.0..=LARGEST).contains(&radius), "core_radius", radius, "at least 0 and at most 1e100")
 }
 
 /// Touching helices of n tubes of radius r with lay length P.
 pub(super) fn touching(wires: u32, wire_radius: f64, lay_length: f64) -> Result<Contact, DomainError> {
-    Contact::from_lay_length(wires, lay_length / wire_radius).map_err(|error| match error.quantity {
-        "lay_length" => DomainError {
-            value: lay_length,
-            allowed: "greater than the wires' number times their diameter (more by the gap, if one is wanted), where they are flat rings on top of each other",
-            ..error
-        },
-        _ => error,
+    let ratio = lay_length / wire_radius;
+    Contact::from_lay_length(wires, ratio).map_err(|error| {
+        let error =
+            DomainError { value: if error.quantity == "lay_length" { lay_length } else { error.value }, ..error };
+        // what is too long says so itself
+        if ratio <= 3.0 * f64::from(wires) { DomainError { allowed: RINGS, ..error } } else { error }
     })
 }
 
@@ -84,8 +93,7 @@ impl WireLayer {
     pub fn on_core(wires: u32, wire_radius: f64, core_radius: f64, lay: WireLay) -> Result<Self, DomainError> {
         check_strands(wires)?;
         check_size(wire_radius, "wire_radius")?;
-        let finite = (0.0..f64::INFINITY).contains(&core_radius);
-        DomainError::check(finite, "core_radius", core_radius, "finite and at least 0")?;
+        check_core(core_radius)?;
         let lay_radius = core_radius + wire_radius;
         let lay_length = lay.length(lay_radius, wire_radius)?;
         let within = lay_radius <= 1e140 * lay_length; // the square of a flatter angle would be no number
@@ -121,6 +129,7 @@ impl WireLayer {
             _ => touching.lay_length() * wire_radius,
         };
         let lay_radius = touching.radius_ratio() * wire_radius;
+        DomainError::check(lay_radius <= LARGEST, "lay_radius", lay_radius, "at most 1e100")?;
         let angle = touching.angle();
         Ok(Self { wire_radius, core_radius: 0.0, lay_length, lay_radius, angle, gap: 0.0, touching })
     }
@@ -242,81 +251,5 @@ impl WireLayer {
     #[must_use]
     pub fn metal_area(&self) -> f64 {
         f64::from(self.wires()) * PI * self.wire_radius * self.wire_radius * self.wire_length_ratio()
-    }
-}
-
-/// A strand of concentric layers, each laid on what lies below it as its wires take it.
-///
-/// ```
-/// use nply::geometry::{WireLay, WireStrand};
-/// let mut strand = WireStrand::on_core(Some(1.0))?;
-/// strand.lay(6, 1.0, WireLay::Ratio(20.0))?;
-/// strand.lay(12, 1.0, WireLay::Ratio(12.0))?;
-/// // twelve wires on seven that overlap a little: a little more than five wire diameters
-/// assert!((strand.outer_radius() - 5.0).abs() < 0.06 && strand.outer_radius() > 5.0);
-/// # Ok::<(), nply::DomainError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct WireStrand {
-    core_radius: Option<f64>,
-    layers: Vec<WireLayer>,
-}
-
-impl WireStrand {
-    /// A core alone, or none.
-    ///
-    /// # Errors
-    /// [`DomainError`] on `core_radius` unless at least 0; 0 is a layer on the axis.
-    pub fn on_core(core_radius: Option<f64>) -> Result<Self, DomainError> {
-        let radius = core_radius.unwrap_or(0.0);
-        let finite = (0.0..f64::INFINITY).contains(&radius);
-        DomainError::check(finite, "core_radius", radius, "finite and at least 0")?;
-        Ok(Self { core_radius, layers: Vec::new() })
-    }
-
-    /// Lays one more layer on what is there.
-    ///
-    /// # Errors
-    /// As for [`WireLayer::on_core`].
-    pub fn lay(&mut self, wires: u32, wire_radius: f64, lay: WireLay) -> Result<WireLayer, DomainError> {
-        let below = self.layers.last().map(WireLayer::taken_outer_radius).or(self.core_radius);
-        let layer = match below {
-            Some(below) => WireLayer::on_core(wires, wire_radius, below, lay)?,
-            None => WireLayer::without_core(wires, wire_radius, lay)?,
-        };
-        self.layers.push(layer);
-        Ok(layer)
-    }
-
-    /// The layers, from the inside.
-    #[must_use]
-    pub fn layers(&self) -> &[WireLayer] {
-        &self.layers
-    }
-
-    /// The radius of the core; `None` where there is none.
-    #[must_use]
-    pub const fn core_radius(&self) -> Option<f64> {
-        self.core_radius
-    }
-
-    /// The radius of the circle round all of it.
-    #[must_use]
-    pub fn outer_radius(&self) -> f64 {
-        self.layers.last().map(WireLayer::taken_outer_radius).or(self.core_radius).unwrap_or(0.0)
-    }
-
-    /// The true sections of core and wires in a plane across the strand.
-    #[must_use]
-    pub fn metal_area(&self) -> f64 {
-        let core = self.core_radius.unwrap_or(0.0);
-        self.layers.iter().map(WireLayer::metal_area).fold(PI * core * core, |sum, area| sum + area)
-    }
-
-    /// [`metal_area`](Self::metal_area) over the circle that encloses the strand; 0 of nothing.
-    #[must_use]
-    pub fn fill_factor(&self) -> f64 {
-        let outer = self.outer_radius();
-        if outer > 0.0 { self.metal_area() / (PI * outer * outer) } else { 0.0 }
     }
 }

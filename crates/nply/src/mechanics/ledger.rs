@@ -6,7 +6,8 @@ use super::{Equilibrium, SupportedState};
 
 /// Link of the strands of a long ply in turns per strand length times r, all strands together: `put_in` = `twist` + `writhe`.
 ///
-/// Joined at the ends the strands keep their link, so that the ledger holds before and after the ply forms, (A.30).
+/// Joined at the ends the strands keep their link, so that the ledger holds before and after the ply forms, (A.30). At any length, with what
+/// stays bounded: [`PlyLink`](crate::topology::PlyLink).
 ///
 /// ```
 /// use nply::mechanics::{Load, Ply, Twist};

@@ -3,6 +3,8 @@
 pub(crate) mod bernstein;
 pub(crate) mod columns;
 pub(crate) mod dual;
+pub(crate) mod foot;
+pub(crate) mod gauss;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod jet2;
@@ -15,3 +17,5 @@ pub(crate) mod quadratic;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod taylor;
+pub(crate) mod vector;

@@ -347,6 +347,30 @@ fn costello_is_the_limit_on_a_core() {
     }
 }
 
+/// The table in docs/real-strands.md, to its last digit.
+#[test]
+fn the_differences_to_costello_are_those_that_are_stated() {
+    let text = std::fs::read_to_string(format!("{}/../../docs/real-strands.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let rows: Vec<&str> = text.lines().filter(|line| line.starts_with("| ") && line.contains("° |")).collect();
+    assert_eq!(rows.len(), 5);
+    for row in rows {
+        let cells: Vec<f64> = row
+            .trim_matches('|')
+            .split('|')
+            .map(|cell| cell.trim().trim_end_matches(['°', '%', ' ']).replace('−', "-").parse().unwrap())
+            .collect();
+        let [force, moment] = against_costello(Measure::Stretched, cells[0], 4.0);
+        for (stated, found, digit) in [
+            (cells[1], force[0], 1e-4),
+            (cells[2], force[1], 1e-4),
+            (cells[3], moment[0], 1e-2),
+            (cells[4], moment[1], 1e-2),
+        ] {
+            assert!((stated - 100.0 * found).abs() <= 0.51 * digit, "{row}: {found}");
+        }
+    }
+}
+
 /// Small angles with ends that cannot turn: EA is the sum of EA cos³θ over the wires, and the core's.
 #[test]
 fn cables_of_small_angle() {

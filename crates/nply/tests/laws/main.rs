@@ -5,16 +5,22 @@
 mod common;
 
 mod cable;
+mod chords;
+mod clearance;
+mod closed_ply;
 mod equilibrium;
 mod extensible;
 mod geometry;
 mod holding;
+mod ply_writhe;
 mod refusal;
 mod section;
 mod separation;
 mod stability;
 mod stretch_path;
 mod support;
+mod tube;
+mod wire_layer;
 
 use nply::Handedness;
 use proptest::prelude::*;

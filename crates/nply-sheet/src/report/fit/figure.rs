@@ -3,7 +3,9 @@
 use nply::geometry::{FitFormula, WireLayer};
 
 use super::mass;
-use crate::construction::{Fit, GivenLayer};
+use core::f64::consts::PI;
+
+use crate::construction::{Construction, Fit, GivenLayer};
 
 /// A layer as laid, and what was said of it.
 pub(super) struct OfLayer {
@@ -88,17 +90,35 @@ const STRAND: &str = "The strand";
 #[rustfmt::skip] // a table: one row a line
 pub(super) static OF_WHOLE: [Figure<Fit>; 7] = [
     figure(STRAND, "strand_outer_diameter", "outer diameter", Sort::Length, |w| Some(2.0 * w.strand.outer_radius())),
-    figure(STRAND, "metal_area", "sections in a plane across, core too", Sort::Area, |w| Some(w.strand.metal_area())),
+    figure(STRAND, "metal_area", "sections in a plane across, core too", Sort::Area, |w| Some(metal_area(w))),
     figure(STRAND, "wire_section_area", "sections across each wire, core too", Sort::Area, |w| Some(section_area(w))),
-    figure(STRAND, "fill_factor", "fill factor (of the enclosing circle)", Sort::Number, |w| Some(w.strand.fill_factor())),
+    figure(STRAND, "fill_factor", "fill factor (of the enclosing circle)", Sort::Number, |w| Some(metal_area(w) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
     figure(STRAND, "mass_per_length", "mass per length", Sort::LinearDensity, |w| mass(w, w.strand.layers(), WireLayer::taken_angle)),
     figure(STRAND, "nominal_outer_diameter", "outer diameter, sum of diameters", Sort::Length, |w| w.nominal.last().map(|l| 2.0 * (l.lay_radius() + l.wire_radius()))),
     figure(STRAND, "nominal_mass_per_length", "mass per length, on sums of diameters", Sort::LinearDensity, |w| mass(w, &w.nominal, WireLayer::angle)),
 ];
 
+/// Sections in a plane across: of the wires alone, where the rods of a layer or the core are strands.
+fn metal_area(fit: &Fit) -> f64 {
+    let layers = fit.strand.layers().iter().zip(&fit.layers);
+    let layers = layers.map(|(layer, given)| layer.metal_area() * solid_share(given.strand.as_ref()));
+    layers.fold(core_area(fit), |sum, area| sum + area)
+}
+
 /// Σ n π r², the core's too: as strength tables count.
 fn section_area(fit: &Fit) -> f64 {
-    let core = fit.core().map_or(0.0, |core| 0.25 * core.diameter * core.diameter);
-    let wires = fit.strand.layers().iter().map(|l| f64::from(l.wires()) * l.wire_radius() * l.wire_radius());
-    core::f64::consts::PI * wires.fold(core, |sum, squares| sum + squares)
+    let layers = fit.strand.layers().iter().zip(&fit.layers).map(|(layer, given)| {
+        let r = layer.wire_radius();
+        f64::from(layer.wires()) * PI * r * r * solid_share(given.strand.as_ref())
+    });
+    layers.fold(core_area(fit), |sum, area| sum + area)
+}
+
+fn core_area(fit: &Fit) -> f64 {
+    fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * solid_share(core.strand.as_deref()))
+}
+
+/// How much of its outline is wire; 1 of a wire.
+fn solid_share(strand: Option<&Construction>) -> f64 {
+    strand.map_or(1.0, Construction::solid_share)
 }

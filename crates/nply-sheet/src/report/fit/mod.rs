@@ -46,7 +46,7 @@ impl FitReport {
 
     fn of_layers(&self) -> Vec<OfLayer> {
         let layers = self.fit.strand.layers().iter().zip(&self.fit.layers);
-        layers.map(|(laid, given)| OfLayer { laid: *laid, given: *given }).collect()
+        layers.map(|(laid, given)| OfLayer { laid: *laid, given: given.clone() }).collect()
     }
 
     /// The unit in which a reader, or a script, finds lengths: the first that was written; none where nothing has a unit.
@@ -87,6 +87,14 @@ fn notes(fit: &Fit) -> Vec<String> {
     for (at, layer) in fit.strand.layers().iter().enumerate() {
         let which = if several { format!("In layer {} the", at + 1) } else { "The".to_owned() };
         let below = if at == 0 { "core" } else { "layer below" };
+        let wanted = fit.layers.get(at).and_then(|given| given.gap);
+        if let Some(gap) = wanted.filter(|gap| layer.king_wire_radius_for(*gap).is_err()) {
+            notes.push(format!(
+                "{which} gap that is wanted, {}, is had on no core: at this lay length neighbours come no further apart than {}.",
+                length(gap),
+                length(layer.lay_length() / f64::from(layer.wires()) - 2.0 * layer.wire_radius())
+            ));
+        }
         if layer.contact() != LayerContact::Neighbours || layer.core_radius() == 0.0 {
             continue;
         }

@@ -116,7 +116,8 @@ impl Laid {
             outer: radius + r * at.thick,
             energy,
             angle,
-            strain: extension.value,
+            // what is but rounding of λ is no strain
+            strain: if extension.value.abs() <= 4.0 * f64::EPSILON { 0.0 } else { extension.value },
             bending: bent.value,
             torsion: self.layer.handedness.sign() * twisted.value,
             by_radius: self.energy(&free).0.a,

@@ -12,8 +12,6 @@ pub use lift::{LetsGo, LiftOff};
 pub use rod::Rod;
 pub use state::{CableGrips, CableState, LayerState};
 
-use core::f64::consts::PI;
-
 use super::extensible::StretchStiffness;
 use crate::geometry::WireStrand;
 use crate::{DomainError, Handedness};
@@ -87,12 +85,11 @@ impl Cable {
         self.layers.last().map_or(0.0, |laid| laid.radius + laid.layer.rod.radius())
     }
 
-    /// Sections of all rods square to themselves, as if they were solid: the area on which nominal stresses are based.
+    /// Sections of all wires, each square to itself: the area on which nominal stresses are based.
     #[must_use]
     pub fn metal_area(&self) -> f64 {
-        let round = |rod: Rod| PI * rod.radius() * rod.radius();
-        let layers = self.layers.iter().map(|laid| f64::from(laid.layer.strands) * round(laid.layer.rod));
-        self.core.map_or(0.0, round) + layers.sum::<f64>()
+        let layers = self.layers.iter().map(|laid| f64::from(laid.layer.strands) * laid.layer.rod.area());
+        self.core.map_or(0.0, Rod::area) + layers.sum::<f64>()
     }
 
     /// Bending stiffness of the cable when its rods slide freely: each layer bends as a set of helical springs, the core as it is.
@@ -135,7 +132,8 @@ impl Cable {
         let resists = axial > 0.0 && torsional > 0.0 && axial * torsional > coupling * coupling;
         DomainError::check(resists, "stiffness", axial, "that of a cable which resists strain and turning as laid")?;
         let bending = self.sliding_bending_stiffness();
-        Ok(Rod::made(self.outer_radius(), [axial, bending, torsional, coupling], laid.contraction()))
+        let rod = Rod::made(self.outer_radius(), [axial, bending, torsional, coupling], laid.contraction());
+        Ok(rod.of_area(self.metal_area()))
     }
 
     /// The hand of the outermost layer.

@@ -23,6 +23,7 @@ pub struct Rod {
     coupling: f64,
     poissons_ratio: f64,
     youngs_modulus: Option<f64>,
+    area: f64,
 }
 
 impl Rod {
@@ -64,13 +65,33 @@ impl Rod {
         [axial, bending, torsional, coupling]: [f64; 4],
         poissons_ratio: f64,
     ) -> Self {
-        Self { radius, axial, bending, torsional, coupling, poissons_ratio, youngs_modulus: None }
+        Self {
+            radius,
+            axial,
+            bending,
+            torsional,
+            coupling,
+            poissons_ratio,
+            youngs_modulus: None,
+            area: PI * radius * radius,
+        }
     }
 
     /// E of a solid round wire; `None` of what was given by its stiffnesses.
     #[must_use]
     pub const fn youngs_modulus(self) -> Option<f64> {
         self.youngs_modulus
+    }
+
+    /// The area that counts as solid, square to the rod: its outline's, or that of the wires of a strand.
+    #[must_use]
+    pub const fn area(self) -> f64 {
+        self.area
+    }
+
+    /// The same rod with another solid area.
+    pub(super) const fn of_area(self, area: f64) -> Self {
+        Self { area, ..self }
     }
 
     /// E and ν of a solid round wire.

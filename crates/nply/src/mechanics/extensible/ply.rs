@@ -6,8 +6,10 @@ use crate::geometry::{Contact, check_strands};
 
 /// n strands that stretch, perhaps laid on a core that works, perhaps formed beforehand.
 ///
-/// Beyond the paper, whose strands do not stretch: with [`StretchingStrand::inextensible`] and nothing formed it is the paper's ply in
-/// contact balance, with supports. Energies per unstretched strand length; every contact pushes and none pulls; no friction.
+#[doc = include_str!("../../equations/extensible_energy.md")]
+///
+/// With [`StretchingStrand::inextensible`] and nothing formed it is the paper's ply in
+/// contact balance, with supports. Every contact pushes and none pulls; no friction.
 ///
 /// ```
 /// use nply::mechanics::{ExtensiblePly, Grips, Load, Support, StretchingStrand, Twist};

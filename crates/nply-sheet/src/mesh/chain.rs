@@ -1,0 +1,83 @@
+//! Centrelines as chains of nodes.
+
+use nply::geometry::Vector;
+
+use super::Assembly;
+use super::subject::{Subject, flag};
+use crate::{ErrorKind, SpecError};
+
+/// The nodes of one centreline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// Its name: `strand-1`, `core`.
+    pub name: String,
+    /// The strand's number from 1; 0 for a core.
+    pub number: u32,
+    /// The wire's radius, in units of r.
+    pub radius: f64,
+    /// The nodes, in units of r.
+    pub points: Vec<Vector>,
+    /// Unit tangents of the centreline at the nodes.
+    pub tangents: Vec<Vector>,
+    /// Arclengths of the centreline at the nodes, in units of r.
+    pub arclengths: Vec<f64>,
+}
+
+/// How far apart nodes stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spacing {
+    /// Elements per lay length: 48, if nothing is said.
+    pub per_lay_length: Option<u32>,
+}
+
+/// More nodes than this are refused.
+const MOST_NODES: f64 = 20_000_000.0;
+
+/// The nodes of every wire of an assembly, on its centreline, from end to end.
+///
+/// # Errors
+/// [`SpecError`] for too many nodes.
+///
+/// ```
+/// use nply_sheet::Spec;
+/// use nply_sheet::mesh::{Assembly, Spacing, Subject, Wanted, chains};
+/// let ply = Subject::of(&Spec::from_flags([("strands", "3"), ("helical-angle", "20 deg")])?, None)?;
+/// let assembly = Assembly::of(&ply, &Wanted { lay_lengths: Some(2.0), ..Wanted::default() })?;
+/// let chains = chains(&ply, &assembly, Spacing { per_lay_length: Some(16) })?;
+/// assert_eq!((chains.len(), chains[0].points.len()), (3, 33));
+/// # Ok::<(), nply_sheet::SpecError>(())
+/// ```
+pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Vec<Chain>, SpecError> {
+    const PER_LAY_LENGTH: u32 = 48;
+    let [low, high] = assembly.heights();
+    let per = f64::from(spacing.per_lay_length.unwrap_or(PER_LAY_LENGTH));
+    // straight strands have one turn, however long they are
+    let turns = (high - low) / ply.lay_length();
+    let elements = libm::ceil((if turns > 0.0 { turns } else { 1.0 }) * per - 1e-9).max(1.0);
+    if elements * assembly.wires.len() as f64 > MOST_NODES {
+        let message = format!("more than {MOST_NODES} nodes would be needed: give a shorter length, or fewer elements");
+        return Err(flag("elements-per-pitch", ErrorKind::Domain, message));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held below twenty million")]
+    let elements = elements as u32;
+    let mut count = 0;
+    Ok(assembly
+        .wires
+        .iter()
+        .map(|wire| {
+            let [start, end] = wire.tube.parameters();
+            let at = |k: u32| start + (end - start) * f64::from(k) / f64::from(elements);
+            let places = (0..=elements).map(|k| wire.tube.course().place(at(k)));
+            let core = wire.name == "core";
+            count += u32::from(!core);
+            Chain {
+                name: wire.name.clone(),
+                number: if core { 0 } else { count },
+                radius: wire.tube.radius(),
+                points: places.clone().map(|place| place.position).collect(),
+                tangents: places.map(|place| place.tangent).collect(),
+                arclengths: (0..=elements).map(at).collect(),
+            }
+        })
+        .collect())
+}

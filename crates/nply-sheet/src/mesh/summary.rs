@@ -1,0 +1,71 @@
+//! What was written, in a few lines.
+
+use core::fmt::Write as _;
+
+use super::{Chain, FileUnit, Subject, Surface};
+use crate::preferred::six_digits;
+
+/// The ply that is shown: which state, its lay.
+fn headline(ply: &Subject) -> String {
+    let hand = if ply.handedness.sign() > 0.0 { "right-handed (Z)" } else { "left-handed (S)" };
+    let state = ply.state.map_or_else(String::new, |(number, count)| format!(", state {number} of {count}"));
+    let title: String = ply.title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    format!("{title}{state}: {hand}, helical angle {}°", six_digits(ply.angle.degrees()))
+}
+
+fn unit_name(unit: &FileUnit) -> &str {
+    if unit.name == "r" { "strand radii" } else { &unit.name }
+}
+
+/// What a file of a surface holds: counts, volume, deviation, the least gap, its unit.
+#[must_use]
+pub fn surface_summary(ply: &Subject, surface: &Surface<'_>, unit: &FileUnit) -> String {
+    let mut out = format!("{}\n\n", headline(ply));
+    let u = unit_name(unit);
+    let [corners, triangles] = surface.counts();
+    let length = |value: f64| format!("{} {u}", six_digits(value * unit.per_radius));
+    let exact: f64 = surface.assembly.wires.iter().map(|wire| wire.tube.volume()).sum();
+    let cubic = unit.per_radius * unit.per_radius * unit.per_radius;
+    let [inside, outside] = surface.deviation();
+    let [low, high] = surface.assembly.heights();
+    let rows = [
+        ("wires", surface.parts.len().to_string()),
+        ("corners, triangles", format!("{corners}, {triangles}")),
+        ("ply length", length(high - low)),
+        ("outer diameter", length(2.0 * surface.assembly.reach())),
+        (
+            "volume (of the exact tubes)",
+            format!("{} ({}) {u}³", six_digits(surface.volume() * cubic), six_digits(exact * cubic)),
+        ),
+        ("triangles lie inside the tubes by up to", length(-inside)),
+        ("and outside by up to", length(outside)),
+        ("least distance of strands' centrelines", length(2.0 + ply.neighbour_gap())),
+        ("coordinates in", u.to_owned()),
+    ];
+    for (label, value) in rows {
+        let _ = writeln!(out, "  {label:44}{value}");
+    }
+    out
+}
+
+/// What a file of centrelines holds.
+#[must_use]
+pub fn chain_summary(ply: &Subject, chains: &[Chain], unit: &FileUnit) -> String {
+    let mut out = format!("{}\n\n", headline(ply));
+    let nodes: usize = chains.iter().map(|chain| chain.points.len()).sum();
+    let u = unit_name(unit);
+    let rows = [
+        ("wires", chains.len().to_string()),
+        ("nodes, elements", format!("{nodes}, {}", nodes - chains.len())),
+        ("strand radius", format!("{} {u}", six_digits(unit.per_radius))),
+        (
+            "least distance of strands' centrelines",
+            format!("{} {u}", six_digits((2.0 + ply.neighbour_gap()) * unit.per_radius)),
+        ),
+        ("coordinates in", u.to_owned()),
+    ];
+    for (label, value) in rows {
+        let _ = writeln!(out, "  {label:44}{value}");
+    }
+    out
+}
