@@ -360,3 +360,18 @@ fn steel_strand_pulled() {
     assert!((number(si, "modulus") / 195e9 - 1.0).abs() < 0.01);
     assert_eq!(state["support"], "core");
 }
+
+/// The same let go and pushed: wholly preformed wires lift off the king wire where nothing loads the strand, in the lay in which it was made.
+#[test]
+fn steel_strand_pushed() {
+    let report = json(&["trace", "examples/steel-strand-pulled.toml", "--to-force", "-10 kN", "--json"]);
+    let leg = &report["legs"][0];
+    let events = leg["events"].as_array().unwrap();
+    let opens = &events.iter().find(|event| event["event"] == "contact_change").unwrap()["station"];
+    // the turns are given to six digits
+    assert!(number(&opens["si"], "force").abs() < 1.0 && number(&opens["si"], "moment").abs() < 1e-2, "{opens}");
+    let made = (std::f64::consts::TAU * 4.25 / 190.0_f64).atan();
+    near(number(opens, "extension"), made.cos(), 1e-6);
+    let last = &leg["stations"].as_array().unwrap().last().unwrap();
+    assert!(leg["end"] == "arrival" && last["support"] == "none" && number(last, "core_gap") > 0.0, "{last}");
+}

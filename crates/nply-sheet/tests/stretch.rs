@@ -161,6 +161,14 @@ fn a_path_opens_where_the_report_says() {
 }
 
 #[test]
+fn no_strand_is_stretched_beyond_double() {
+    let case = strand(&[("length-ratio", "2.1")]).check().unwrap();
+    let error = case.locate(&case.solve().unwrap_err());
+    assert_eq!(error.kind(), ErrorKind::Domain);
+    assert!(error.to_string().contains("no more than double their length"), "{error}");
+}
+
+#[test]
 fn what_knows_no_stretch_says_so() {
     let case = strand(&[]).check().unwrap();
     let error = LocusReport::of(&case, 10).unwrap_err();

@@ -6,7 +6,7 @@ use nply::geometry::SpecialLays;
 use super::ends;
 use crate::key::Group;
 use crate::spec::{Entry, Spec};
-use crate::{Case, Datum, ErrorKind, Place, SpecError};
+use crate::{Case, Datum, ErrorKind, Place, Question, SpecError};
 
 /// Where each datum of a case was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,6 +102,11 @@ impl Origins {
             "rotation" => format!(
                 "{said}: strands without turns lie straight and are no ply; give more, positive for a right-handed ply and negative for a left-handed one"
             ),
+            "extension" if error.value >= 1.0 && matches!(case.question, Question::Stretched { .. }) => {
+                format!(
+                    "{said}: strands are stretched to no more than double their length; give less than twice theirs"
+                )
+            }
             "extension" if error.value >= 1.0 => {
                 format!("{said}: a ply is shorter than its strands; give a length less than theirs")
             }

@@ -90,7 +90,7 @@ impl Given {
     }
 
     /// The least ρ at an angle and a strain.
-    fn floor(&self, theta: f64, e: f64) -> f64 {
+    pub(crate) fn floor(&self, theta: f64, e: f64) -> f64 {
         let thick = 1.0 - self.nu * e;
         let touching = thick * Contact::new(self.n, theta).unwrap().radius_ratio();
         let core = self.core.map_or(0.0, |[radius, _, _, nu]| {

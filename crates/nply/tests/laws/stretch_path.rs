@@ -58,7 +58,7 @@ fn found_there(given: &Given, path: &StretchPath, at: &StretchStation) -> bool {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(100))]
 
     /// Whatever changes, every state on the way is at rest: no small admissible change of shape lowers its energy, contacts push and do not
     /// overlap, what is held is held, and the search without a path finds the state.
@@ -73,9 +73,12 @@ proptest! {
                 let state = &at.state;
                 let size = 1e-9 * (1.0 + state.load().force.abs() + state.load().moment.abs());
                 prop_assert!(state.interstrand_pressure() > -size && state.core_pressure() > -size, "{state:?}");
-                // a radius is the quotient of what vanishes as strands straighten
-                let lost = 1e-9 * state.radius_ratio() + 1e-11 / state.angle().sin();
-                prop_assert!(state.neighbour_gap() > -lost && state.core_gap().is_none_or(|gap| gap > -lost), "{state:?}");
+                // strands that overlap would turn the ply further than those that touch; about to straighten, or just parting where
+                // two branches are nearly parallel, they lose digits
+                let verge = trace.events.iter().any(|event| event.before.abs_diff(i) <= 1);
+                let lost = if state.angle().sin() < 0.01 || verge { 3e-8 } else { 1e-10 };
+                let (theta, turn) = (state.angle().radians(), state.rotation().abs());
+                prop_assert!(turn <= state.stretch() * theta.sin() / given.floor(theta, state.strain()) + lost, "{state:?}");
                 let data = path.data(at.along);
                 match data.grips.axial {
                     Axial::Force(force) => prop_assert_eq!(state.load().force, force),
@@ -91,8 +94,8 @@ proptest! {
                     let (down, steep) = Given { twist: data.twist, ..given.clone() }.steepest(state);
                     prop_assert!(down > -1e-8 * steep, "{down:e} at {state:?}");
                 }
-                let verge = trace.events.iter().any(|event| event.before.abs_diff(i) <= 1);
-                let inside = (-0.499..0.999).contains(&state.strain());
+                // further than that an angle may have more than one strain at rest, of which the search looks at one
+                let inside = (-0.3..0.5).contains(&state.strain());
                 if i % 10 == 3 && !verge && !straight && !flat && inside {
                     prop_assert!(found_there(&given, &path, at), "{at:?}");
                 }
