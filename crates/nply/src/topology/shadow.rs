@@ -384,13 +384,13 @@ pub(crate) fn reach_of(points: &[Vector]) -> f64 {
 
 /// The lesser, and x where y is no number.
 #[inline(always)]
-fn least(x: f64, y: f64) -> f64 {
+pub(crate) fn least(x: f64, y: f64) -> f64 {
     if y < x { y } else { x }
 }
 
 /// The greater, and x where y is no number.
 #[inline(always)]
-fn most(x: f64, y: f64) -> f64 {
+pub(crate) fn most(x: f64, y: f64) -> f64 {
     if y > x { y } else { x }
 }
 
