@@ -75,35 +75,46 @@ impl Count<'_> {
         let (left, right) = (2 * at, 2 * at + 1);
         self.within(level - 1, left)
             && (right >= self.one.shadow.level(level - 1).len()
-                || (self.within(level - 1, right) && self.between([level - 1, left], [level - 1, right])))
+                || (self.within(level - 1, right)
+                    && (self.joined_one_way(level - 1, left) || self.between([level - 1, left], [level - 1, right]))))
+    }
+
+    /// Whether a piece and the next run one way.
+    fn joined_one_way(&self, level: usize, at: usize) -> bool {
+        let pieces = self.one.shadow.level(level);
+        pieces[at].ways & pieces[at + 1].ways != 0
     }
 
     /// Two pieces; of one curve they are on the same level, the second behind the first.
     fn between(&mut self, one: [usize; 2], other: [usize; 2]) -> bool {
         let ([level, i], [other_level, j]) = (one, other);
-        let pieces = self.one.shadow.level(level);
-        let (a, b) = (&pieces[i], &self.other.shadow.level(other_level)[j]);
-        if a.apart(b) {
-            return true;
-        }
-        // pieces that join and run one way cannot cross
-        if self.same && a.ways & b.ways != 0 && (i + 1 == j || (i == 0 && j + 1 == pieces.len() && self.closed())) {
-            return true;
-        }
         if level == 0 && other_level == 0 {
             return self.leaves(i, j);
         }
         // the larger one is opened, or both
         let open = |own: usize, than: usize, shadow: &Shadow, at: usize| {
             if own >= than && own > 0 {
-                (own - 1, 2 * at..(2 * at + 2).min(shadow.level(own - 1).len()))
+                (own - 1, 2 * at, (2 * at + 2).min(shadow.level(own - 1).len()))
             } else {
-                (own, at..at + 1)
+                (own, at, at + 1)
             }
         };
-        let (level, parts) = open(level, other_level, self.one.shadow, i);
-        let (other_level, other_parts) = open(other_level, one[0], self.other.shadow, j);
-        parts.into_iter().all(|i| other_parts.clone().all(|j| self.between([level, i], [other_level, j])))
+        let (shadow, other_shadow) = (self.one.shadow, self.other.shadow);
+        let (level, from, to) = open(level, other_level, shadow, i);
+        let (other_level, other_from, other_to) = open(other_level, one[0], other_shadow, j);
+        let (pieces, other_pieces) = (shadow.level(level), other_shadow.level(other_level));
+        for (i, a) in (from..to).zip(&pieces[from..to]) {
+            for (j, b) in (other_from..other_to).zip(&other_pieces[other_from..other_to]) {
+                // pieces that join and run one way cannot cross
+                let one_way = self.same
+                    && a.ways & b.ways != 0
+                    && (i + 1 == j || (i == 0 && j + 1 == pieces.len() && self.closed()));
+                if !a.apart(b) && !one_way && !self.between([level, i], [other_level, j]) {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     fn closed(&self) -> bool {
@@ -126,17 +137,19 @@ impl Count<'_> {
         if count == 0 {
             return true;
         }
-        let mut pairs = [(0, 0); PIECE * PIECE];
+        // places within the pieces, for the least room
+        let mut pairs = [(0_u8, 0_u8); PIECE * PIECE];
         let mut found = 0;
         self.each_box(other, j, |second, own| {
             for &(first, segment) in &near[..count] {
-                pairs[found] = (first, second);
+                pairs[found] = ((first - i * PIECE) as u8, (second - j * PIECE) as u8);
                 found += usize::from(!segment.apart(&own));
             }
         });
         pairs[..found]
             .iter()
-            .all(|&(first, second)| (self.same && self.neighbours(first, second)) || self.pair(first, second))
+            .map(|&(first, second)| (i * PIECE + usize::from(first), j * PIECE + usize::from(second)))
+            .all(|(first, second)| (self.same && self.neighbours(first, second)) || self.pair(first, second))
     }
 
     /// Whether two segments of one curve share a point by right, or are counted the other way round.
