@@ -6,7 +6,7 @@ use super::shadow::{PIECE, Piece, Shadow, Sight, least, most};
 use super::view::View;
 use crate::numerics::vector::{Vector, dot};
 
-/// A curve with its shadow.
+/// A closed curve with its shadow.
 #[derive(Clone, Copy)]
 struct Seen<'a> {
     points: &'a [Vector],
@@ -106,19 +106,13 @@ impl Count<'_> {
         for (i, a) in (from..to).zip(&pieces[from..to]) {
             for (j, b) in (other_from..other_to).zip(&other_pieces[other_from..other_to]) {
                 // pieces that join and run one way cannot cross
-                let one_way = self.same
-                    && a.ways & b.ways != 0
-                    && (i + 1 == j || (i == 0 && j + 1 == pieces.len() && self.closed()));
+                let one_way = self.same && a.ways & b.ways != 0 && (i + 1 == j || (i == 0 && j + 1 == pieces.len()));
                 if !a.apart(b) && !one_way && !self.between([level, i], [other_level, j]) {
                     return false;
                 }
             }
         }
         true
-    }
-
-    fn closed(&self) -> bool {
-        self.one.segments == self.one.points.len()
     }
 
     /// The segments of two least pieces.
@@ -154,7 +148,7 @@ impl Count<'_> {
 
     /// Whether two segments of one curve share a point by right, or are counted the other way round.
     fn neighbours(&self, first: usize, second: usize) -> bool {
-        second <= first + 1 || (first == 0 && second + 1 == self.one.segments && self.closed())
+        second <= first + 1 || (first == 0 && second + 1 == self.one.segments)
     }
 
     /// Boxes round the segments of a least piece, as far blurred as the piece.
