@@ -12,4 +12,5 @@ pub(crate) mod quadrant;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod taylor;
 pub(crate) mod vector;
