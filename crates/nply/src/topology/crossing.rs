@@ -2,7 +2,7 @@
 
 use super::CurveError;
 use super::orientation::{hand, touch, turn};
-use super::shadow::{PIECE, Piece, Shadow, Sight};
+use super::shadow::{PIECE, Piece, Shadow, Sight, least, most};
 use super::view::View;
 use crate::numerics::vector::{Vector, dot};
 
@@ -35,17 +35,18 @@ pub(crate) enum Blind {
 pub(crate) fn self_crossings(points: &[Vector], sight: &Sight) -> Result<Crossings, Blind> {
     let curve = Seen { points, segments: points.len(), shadow: &sight.shadow };
     let view = sight.view;
-    let mut count = Count { one: curve, other: curve, view, same: true, found: Crossings::default() };
-    count.within(curve.shadow.levels() - 1, 0)?;
-    Ok(count.found)
+    let mut count = Count { one: curve, other: curve, view, same: true, found: Crossings::default(), blind: None };
+    count.within(curve.shadow.levels() - 1, 0);
+    count.result()
 }
 
 /// How often two closed curves are seen to cross each other along one direction.
 pub(crate) fn mutual_crossings(points: [&[Vector]; 2], sights: [&Sight; 2]) -> Result<Crossings, Blind> {
     let [one, other] = [0, 1].map(|k| Seen { points: points[k], segments: points[k].len(), shadow: &sights[k].shadow });
-    let mut count = Count { one, other, view: sights[0].view, same: false, found: Crossings::default() };
-    count.between([one.shadow.levels() - 1, 0], [other.shadow.levels() - 1, 0])?;
-    Ok(count.found)
+    let view = sights[0].view;
+    let mut count = Count { one, other, view, same: false, found: Crossings::default(), blind: None };
+    count.between([one.shadow.levels() - 1, 0], [other.shadow.levels() - 1, 0]);
+    count.result()
 }
 
 struct Count<'a> {
@@ -54,58 +55,66 @@ struct Count<'a> {
     view: View,
     same: bool,
     found: Crossings,
+    /// what ended the count
+    blind: Option<Blind>,
 }
 
 impl Count<'_> {
-    /// One piece with itself.
-    fn within(&mut self, level: usize, at: usize) -> Result<(), Blind> {
+    fn result(self) -> Result<Crossings, Blind> {
+        self.blind.map_or(Ok(self.found), Err)
+    }
+
+    /// One piece with itself. Like all below: whether to go on.
+    fn within(&mut self, level: usize, at: usize) -> bool {
         if self.one.shadow.level(level)[at].ways != 0 {
-            return Ok(());
+            return true;
         }
         if level == 0 {
             return self.leaves(at, at);
         }
         let (left, right) = (2 * at, 2 * at + 1);
-        self.within(level - 1, left)?;
-        if right < self.one.shadow.level(level - 1).len() {
-            self.within(level - 1, right)?;
-            self.between([level - 1, left], [level - 1, right])?;
-        }
-        Ok(())
+        self.within(level - 1, left)
+            && (right >= self.one.shadow.level(level - 1).len()
+                || (self.within(level - 1, right)
+                    && (self.joined_one_way(level - 1, left) || self.between([level - 1, left], [level - 1, right]))))
+    }
+
+    /// Whether a piece and the next run one way.
+    fn joined_one_way(&self, level: usize, at: usize) -> bool {
+        let pieces = self.one.shadow.level(level);
+        pieces[at].ways & pieces[at + 1].ways != 0
     }
 
     /// Two pieces; of one curve they are on the same level, the second behind the first.
-    fn between(&mut self, one: [usize; 2], other: [usize; 2]) -> Result<(), Blind> {
+    fn between(&mut self, one: [usize; 2], other: [usize; 2]) -> bool {
         let ([level, i], [other_level, j]) = (one, other);
-        let pieces = self.one.shadow.level(level);
-        let other_pieces = self.other.shadow.level(other_level);
-        let (a, b) = (&pieces[i], &other_pieces[j]);
-        if a.apart(b) {
-            return Ok(());
-        }
-        // pieces that join and run one way cannot cross
-        if self.same && a.ways & b.ways != 0 && (i + 1 == j || (i == 0 && j + 1 == pieces.len() && self.closed())) {
-            return Ok(());
-        }
         if level == 0 && other_level == 0 {
             return self.leaves(i, j);
         }
-        if level == other_level {
-            for i in 2 * i..(2 * i + 2).min(self.one.shadow.level(level - 1).len()) {
-                for j in 2 * j..(2 * j + 2).min(self.other.shadow.level(level - 1).len()) {
-                    self.between([level - 1, i], [level - 1, j])?;
+        // the larger one is opened, or both
+        let open = |own: usize, than: usize, shadow: &Shadow, at: usize| {
+            if own >= than && own > 0 {
+                (own - 1, 2 * at, (2 * at + 2).min(shadow.level(own - 1).len()))
+            } else {
+                (own, at, at + 1)
+            }
+        };
+        let (shadow, other_shadow) = (self.one.shadow, self.other.shadow);
+        let (level, from, to) = open(level, other_level, shadow, i);
+        let (other_level, other_from, other_to) = open(other_level, one[0], other_shadow, j);
+        let (pieces, other_pieces) = (shadow.level(level), other_shadow.level(other_level));
+        for (i, a) in (from..to).zip(&pieces[from..to]) {
+            for (j, b) in (other_from..other_to).zip(&other_pieces[other_from..other_to]) {
+                // pieces that join and run one way cannot cross
+                let one_way = self.same
+                    && a.ways & b.ways != 0
+                    && (i + 1 == j || (i == 0 && j + 1 == pieces.len() && self.closed()));
+                if !a.apart(b) && !one_way && !self.between([level, i], [other_level, j]) {
+                    return false;
                 }
             }
-        } else if level > other_level {
-            for i in 2 * i..(2 * i + 2).min(self.one.shadow.level(level - 1).len()) {
-                self.between([level - 1, i], other)?;
-            }
-        } else {
-            for j in 2 * j..(2 * j + 2).min(self.other.shadow.level(other_level - 1).len()) {
-                self.between(one, [other_level - 1, j])?;
-            }
         }
-        Ok(())
+        true
     }
 
     fn closed(&self) -> bool {
@@ -113,25 +122,34 @@ impl Count<'_> {
     }
 
     /// The segments of two least pieces.
-    fn leaves(&mut self, i: usize, j: usize) -> Result<(), Blind> {
+    fn leaves(&mut self, i: usize, j: usize) -> bool {
         let (one, other) = (self.one, self.other);
-        let (piece, other_piece) = (&one.shadow.level(0)[i], &other.shadow.level(0)[j]);
-        let boxes = self.boxes(other, j, other_piece);
-        let segments = PIECE.min(one.segments - i * PIECE);
-        for (k, segment) in self.boxes(one, i, piece).iter().enumerate().take(segments) {
-            if segment.apart(other_piece) {
-                continue;
+        let other_piece = &other.shadow.level(0)[j];
+        // those of the first that come near the second at all, then those of the second that come near these
+        let mut near = [(0, *other_piece); PIECE];
+        let mut count = 0;
+        self.each_box(one, i, |segment, own| {
+            if !own.apart(other_piece) {
+                near[count] = (segment, own);
+                count += 1;
             }
-            let first = i * PIECE + k;
-            for (l, box_of) in boxes.iter().enumerate().take(PIECE.min(other.segments - j * PIECE)) {
-                let second = j * PIECE + l;
-                if segment.apart(box_of) || (self.same && self.neighbours(first, second)) {
-                    continue;
-                }
-                self.pair(first, second)?;
-            }
+        });
+        if count == 0 {
+            return true;
         }
-        Ok(())
+        // places within the pieces, for the least room
+        let mut pairs = [(0_u8, 0_u8); PIECE * PIECE];
+        let mut found = 0;
+        self.each_box(other, j, |second, own| {
+            for &(first, segment) in &near[..count] {
+                pairs[found] = ((first - i * PIECE) as u8, (second - j * PIECE) as u8);
+                found += usize::from(!segment.apart(&own));
+            }
+        });
+        pairs[..found]
+            .iter()
+            .map(|&(first, second)| (i * PIECE + usize::from(first), j * PIECE + usize::from(second)))
+            .all(|(first, second)| (self.same && self.neighbours(first, second)) || self.pair(first, second))
     }
 
     /// Whether two segments of one curve share a point by right, or are counted the other way round.
@@ -140,27 +158,27 @@ impl Count<'_> {
     }
 
     /// Boxes round the segments of a least piece, as far blurred as the piece.
-    fn boxes(&self, curve: Seen<'_>, piece: usize, of: &Piece) -> [Piece; PIECE] {
+    #[inline(always)]
+    fn each_box(&self, curve: Seen<'_>, piece: usize, mut take: impl FnMut(usize, Piece)) {
         let View { u, v, .. } = self.view;
-        let shadow = |at: usize| {
-            let p = curve.points[at % curve.points.len()];
-            [dot(u, p), dot(v, p)]
-        };
         let start = piece * PIECE;
+        let segments = PIECE.min(curve.segments - start);
         let blur = curve.shadow.blur();
-        let mut boxes = [*of; PIECE];
-        let mut from = shadow(start);
-        for (k, own) in boxes.iter_mut().enumerate().take(PIECE.min(curve.segments - start)) {
-            let to = shadow(start + k + 1);
-            own.low = [from[0].min(to[0]) - blur, from[1].min(to[1]) - blur];
-            own.high = [from[0].max(to[0]) + blur, from[1].max(to[1]) + blur];
+        let shadow = |p: Vector| [dot(u, p), dot(v, p)];
+        let next = start + segments;
+        let last = curve.points[if next < curve.points.len() { next } else { 0 }];
+        let mut from = shadow(curve.points[start]);
+        for (k, &p) in curve.points[start + 1..next].iter().chain([&last]).enumerate() {
+            let to = shadow(p);
+            let low = [least(from[0], to[0]) - blur, least(from[1], to[1]) - blur];
+            let high = [most(from[0], to[0]) + blur, most(from[1], to[1]) + blur];
+            take(start + k, Piece { low, high, ways: 0 });
             from = to;
         }
-        boxes
     }
 
     /// Two segments: whether they are seen to cross, and with which hand.
-    fn pair(&mut self, first: usize, second: usize) -> Result<(), Blind> {
+    fn pair(&mut self, first: usize, second: usize) -> bool {
         let ends = |curve: Seen<'_>, k: usize| {
             [curve.points[k], curve.points[if k + 1 < curve.points.len() { k + 1 } else { 0 }]]
         };
@@ -168,23 +186,25 @@ impl Count<'_> {
         let d = self.view.d;
         let across = turn(a, b, p, d) * turn(a, b, q, d);
         if across > 0 {
-            return Ok(());
+            return true;
         }
         let along = turn(p, q, a, d) * turn(p, q, b, d);
         if along > 0 {
-            return Ok(());
+            return true;
         }
         if across < 0 && along < 0 {
             let hand = hand(a, b, p, q);
             if hand != 0 {
                 self.found.count += 1;
                 self.found.signed += i64::from(hand);
-                return Ok(());
+                return true;
             }
         } else if !touch([a, b], [p, q]) {
-            return Err(Blind::Degenerate);
+            self.blind = Some(Blind::Degenerate);
+            return false;
         }
         let curves = [0, usize::from(!self.same)];
-        Err(Blind::Touch(CurveError::Touch { curves, segments: [first, second] }))
+        self.blind = Some(Blind::Touch(CurveError::Touch { curves, segments: [first, second] }));
+        false
     }
 }

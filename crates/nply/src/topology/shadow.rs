@@ -30,10 +30,11 @@ impl Piece {
 
     #[inline(always)]
     pub(crate) fn apart(&self, other: &Self) -> bool {
-        self.low[0] > other.high[0]
-            || other.low[0] > self.high[0]
-            || self.low[1] > other.high[1]
-            || other.low[1] > self.high[1]
+        // all four at once: which of them holds cannot be foreseen, and a wrong guess costs more than all
+        (self.low[0] > other.high[0])
+            | (other.low[0] > self.high[0])
+            | (self.low[1] > other.high[1])
+            | (other.low[1] > self.high[1])
     }
 }
 
@@ -384,13 +385,13 @@ pub(crate) fn reach_of(points: &[Vector]) -> f64 {
 
 /// The lesser, and x where y is no number.
 #[inline(always)]
-fn least(x: f64, y: f64) -> f64 {
+pub(crate) fn least(x: f64, y: f64) -> f64 {
     if y < x { y } else { x }
 }
 
 /// The greater, and x where y is no number.
 #[inline(always)]
-fn most(x: f64, y: f64) -> f64 {
+pub(crate) fn most(x: f64, y: f64) -> f64 {
     if y > x { y } else { x }
 }
 
