@@ -94,6 +94,14 @@ fn a_knot_has_its_writhe_and_its_mirror_image_the_opposite() {
     let average =
         |hand| number(&json(&["writhe", &knot(hand), "--average-crossings", "--json"]), "average_crossing_number");
     assert!((average(1.0) - average(-1.0)).abs() < 1e-11 && average(1.0) >= one.abs() && average(1.0) < 5.0);
+    // by segments: shares that make the whole, the same for each third of a knot that has a threefold axis
+    let tree = json(&["writhe", &knot(1.0), "--method", "tree", "--tolerance", "1e-9", "--json"]);
+    let shares: Vec<f64> =
+        tree["curves"][0]["shares"].as_array().unwrap().iter().map(|share| share.as_f64().unwrap()).collect();
+    assert!((number(&tree, "writhe") - one).abs() < 1e-9 && shares.len() == 240 && tree["method"] == "tree");
+    for third in shares.chunks(80) {
+        assert!((third.iter().sum::<f64>() - one / 3.0).abs() < 1e-9);
+    }
     // a trefoil that is nearly flat is seen with three crossings of one sign
     let flat: Points = trefoil(1.0).into_iter().map(|[x, y, z]| [x, y, 1e-3 * z]).collect();
     let flat = writhe(&file("flat.txt", &rows(&[closed(flat)])), &[]);
@@ -341,6 +349,8 @@ fn what_has_no_answer_is_refused_in_one_sentence() {
         ("writhe", "0 0 0\n1 0 0\n0 1 0\n0 0 0\n", &["--extend", "1"], 1, "has no ends to prolong"),
         ("writhe", "0 0 0\n1 0 0\n", &["--extend", "-1"], 1, "no length greater than 0"),
         ("writhe", "0 0 0\n1 0 NaN\n", &[], 2, ":2:5: \"NaN\" is not finite"),
+        ("writhe", "0 0 0\n1 0 0\n", &["--tolerance", "1e-3"], 2, "it goes with --method tree"),
+        ("writhe", "0 0 0\n1 0 0\n", &["--method", "tree", "--tolerance", "-1"], 1, "above 0 and finite"),
         ("link", "0 0 0\n1 0 0\n", &[], 1, "two or more are wanted"),
         ("link", cross, &[], 1, "touch or cross"),
         ("clearance", cross, &["-d", "0"], 1, "no length greater than 0"),

@@ -172,6 +172,8 @@ fn names_units_and_what_was_left_out_are_said() {
     assert_eq!(joined.notes, ["2 pieces of two points are joined end to end.", "1 face is left out."]);
     let twice = read("a.csv", b"0,0,0\n1,1,1\n\n0,0,0\n1,1,1\n");
     assert_eq!(twice.curves.iter().map(|curve| curve.line).collect::<Vec<_>>(), [Some(1), Some(4)]);
+    let spreadsheet = read("a.csv", b"x;y;z\n0;0;0\n1;1;1\n;;\n5;0;0\n5;1;1\n;;\n");
+    assert_eq!(spreadsheet.curves.len(), 2);
     let header_again = read("a.csv", b"x,y,z\n0,0,0\n1,1,1\nx,y,z\n5,0,0\n5,1,1\n");
     assert_eq!(header_again.curves.len(), 2);
     let wide = read("a.csv", b"curve,x,y,z,diameter\na,0,0,0,2\na,0,0,1,2\nb,9,0,0,4\nb,9,0,1,4\n");

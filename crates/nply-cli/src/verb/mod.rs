@@ -74,6 +74,8 @@ Examples:
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
+  nply clearance wires.csv --diameter \"2 mm\" --unit mm
+  nply writhe knot.vtp --json
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

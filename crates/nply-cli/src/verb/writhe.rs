@@ -1,8 +1,9 @@
 //! `nply writhe`: the writhe of curves in files.
 
-use clap::{Arg, ArgAction, ArgMatches, Command};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply::topology::{AverageCrossings, CrossingShare};
-use nply_sheet::{WritheQuestion, WritheReport};
+use nply_sheet::{ErrorKind, Place, SpecError, WritheQuestion, WritheReport};
 use rayon::prelude::*;
 
 use super::Verb;
@@ -23,6 +24,8 @@ pub(super) const VERB: Verb =
 const ROUND: usize = 64;
 /// The same for columns of pairs, some 10⁸ pairs at most for a curve of 10⁵ segments.
 const COLUMNS: usize = 16;
+/// The same for parts of a sum by segments.
+const PARTS: usize = 16;
 
 fn arguments(command: Command) -> Command {
     let command = command.long_about(curves::about(ABOUT));
@@ -48,6 +51,24 @@ fn arguments(command: Command) -> Command {
                 .action(ArgAction::SetTrue)
                 .help("Print the average crossing number too: a sum over all pairs of segments"),
         )
+        .arg(
+            Arg::new("method")
+                .long("method")
+                .value_name("METHOD")
+                .value_parser(PossibleValuesParser::new(["crossings", "tree"]))
+                .default_value("crossings")
+                .help(
+                    "Count crossings (exact), or sum by segments with a tree, which tells each one's share (in JSON)",
+                ),
+        )
+        .arg(
+            Arg::new("tolerance")
+                .long("tolerance")
+                .value_name("TURNS")
+                .allow_hyphen_values(true)
+                .value_parser(value_parser!(f64))
+                .help("What the tree may be wrong by in all (1e-6)"),
+        )
         .arg(format())
         .arg(json())
 }
@@ -58,10 +79,23 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         extension: curves::extension(arguments, &set)?,
         axis: arguments.get_one::<[f64; 3]>("axis").copied(),
         ribbon: arguments.get_flag("ribbon"),
+        tolerance: tolerance(arguments)?,
     };
     let mut report = WritheReport::new(set, question).map_err(Failure::Premise)?;
     let all: Vec<usize> = (0..report.len()).collect();
-    report.found = curves::each(arguments, &all, "curves", ROUND, |curve| report.writhing(*curve))?;
+    report.found = match question.tolerance {
+        None => curves::each(arguments, &all, "curves", ROUND, |curve| report.writhing(*curve, None))?,
+        Some(tolerance) => {
+            let mut found = Vec::new();
+            for &number in &all {
+                let map = report.map(number, tolerance).map_err(Failure::Premise)?;
+                let parts: Vec<usize> = (0..map.parts()).collect();
+                let shares = curves::each(arguments, &parts, "parts", PARTS, |part| Ok(map.part(*part)))?;
+                found.push(report.writhing(number, Some(shares)).map_err(Failure::Premise)?);
+            }
+            found
+        }
+    };
     if arguments.get_flag("average-crossings") {
         for number in all {
             report.found[number].average_crossings = Some(average(arguments, &report.average_crossings(number))?);
@@ -72,6 +106,24 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         Format::Json => report.json(),
         Format::Csv => report.csv(),
     })
+}
+
+/// The tolerance of the tree; none where crossings are counted.
+fn tolerance(arguments: &ArgMatches) -> Result<Option<f64>, Failure> {
+    const USUAL: f64 = 1e-6;
+    let given = arguments.get_one::<f64>("tolerance").copied();
+    let tree = arguments.get_one::<String>("method").is_some_and(|method| method == "tree");
+    let refused = |kind, message: &str| {
+        let error = SpecError::new(kind, Place::Flag("tolerance".to_owned()), message);
+        Failure::Refused(error, String::new())
+    };
+    match (tree, given) {
+        (false, None) => Ok(None),
+        (false, Some(_)) => {
+            Err(refused(ErrorKind::Contradiction, "crossings are counted without error; it goes with --method tree"))
+        }
+        (true, given) => Ok(Some(given.unwrap_or(USUAL))),
+    }
 }
 
 /// All pairs of a curve's segments, on all cores; added up in one order, however many there are.

@@ -50,6 +50,10 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
         }
         let separator = *reader.separator.get_or_insert_with(|| Separator::of(content));
         let fields = separator.split(text);
+        if fields.iter().all(|field| field.text.is_empty()) {
+            reader.apart = true; // a blank line of a spreadsheet
+            continue;
+        }
         if reader.layout.is_none() {
             reader.begin(line, &fields, &mut found)?;
         }

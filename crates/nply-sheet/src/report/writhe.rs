@@ -4,7 +4,8 @@ use core::fmt::Write as _;
 
 use nply::geometry::Vector;
 use nply::topology::{
-    AverageCrossings, CrossingShare, Curve, CurveError, Frame, PolarWrithe, Twist, Writhe, linking_number,
+    AverageCrossings, CrossingShare, Curve, CurveError, Frame, PolarWrithe, Twist, WritheMap, WritheShares,
+    linking_number,
 };
 use serde_json::{Map, Value, json};
 
@@ -24,14 +25,22 @@ pub struct WritheQuestion {
     pub axis: Option<Vector>,
     /// Whether the curves come in twos, a centreline and the edge of its ribbon, whose twist is wanted.
     pub ribbon: bool,
+    /// What a sum by segments may be wrong by, where such a sum is wanted instead of a count of crossings.
+    pub tolerance: Option<f64>,
 }
 
 /// What is said of one curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Writhing {
     /// Its writhe.
-    pub writhe: Writhe,
+    pub writhe: f64,
+    /// What can be wrong with it at most.
+    pub bound: f64,
+    /// How often it is seen to cross itself along each of two directions, and by how much the values found along them differ.
+    pub seen: Option<([u64; 2], f64)>,
+    /// What each segment has of the writhe, where it was summed by segments.
+    pub shares: Option<Vec<f64>>,
     /// Its polar writhe, where an axis was given.
     pub polar: Option<PolarWrithe>,
     /// The twist of its ribbon, where it has one.
@@ -51,7 +60,7 @@ pub struct Writhing {
 /// let file = Curves::read("a.csv", b"0,0,0\n1,0,0\n1,2,0\n4,4,0\n", None)?;
 /// let set = CurveSet::of(vec![("a.csv".into(), file)], None, Closing::AsWritten)?;
 /// let mut report = WritheReport::new(set, WritheQuestion::default())?;
-/// report.found = (0..report.len()).map(|curve| report.writhing(curve)).collect::<Result<_, _>>()?;
+/// report.found = (0..report.len()).map(|curve| report.writhing(curve, None)).collect::<Result<_, _>>()?;
 /// let json: serde_json::Value = serde_json::from_str(&report.json())?;
 /// assert_eq!(json["curves"][0]["closed"], false);
 /// assert!(json["writhe"].as_f64().is_some_and(|writhe| writhe.abs() < 1e-14));
@@ -111,11 +120,19 @@ impl WritheReport {
         if self.question.ribbon { 2 } else { 1 }
     }
 
-    /// What is to be said of one of them.
+    /// The work for a sum by segments of one of them, which a door may share out.
+    ///
+    /// # Errors
+    /// A sentence where the tolerance is none.
+    pub fn map(&self, number: usize, tolerance: f64) -> Result<WritheMap, String> {
+        WritheMap::new(&self.curves[number * self.step()], tolerance).map_err(|error| error.to_string())
+    }
+
+    /// What is to be said of one of them; `shares` are all parts of its [`map`](Self::map), or its writhe is counted.
     ///
     /// # Errors
     /// A sentence where the curve meets itself or its edge, or has no polar writhe along the axis.
-    pub fn writhing(&self, number: usize) -> Result<Writhing, String> {
+    pub fn writhing(&self, number: usize, shares: Option<Vec<WritheShares>>) -> Result<Writhing, String> {
         let at = number * self.step();
         let curve = &self.curves[at];
         let refused = |error: CurveError| refusal(&self.set, self.question.extension, &error, [at, at]);
@@ -129,7 +146,16 @@ impl WritheReport {
                 link = Some(linking_number(curve, edge).map_err(both)?.value);
             }
         }
-        Ok(Writhing { writhe: curve.writhe().map_err(refused)?, polar, twist, link, average_crossings: None })
+        let empty =
+            Writhing { writhe: 0.0, bound: 0.0, seen: None, shares: None, polar, twist, link, average_crossings: None };
+        let Some(parts) = shares else {
+            let found = curve.writhe().map_err(refused)?;
+            let seen = Some((found.crossings, found.discrepancy));
+            return Ok(Writhing { writhe: found.value, bound: found.bound, seen, ..empty });
+        };
+        let bound = parts.iter().map(|part| part.bound).sum();
+        let shares: Vec<f64> = parts.into_iter().flat_map(|part| part.shares).collect();
+        Ok(Writhing { writhe: shares.iter().sum(), bound, shares: Some(shares), ..empty })
     }
 
     /// The work for the average crossing number of one of them, a sum over all pairs of segments that a door may share out.
@@ -142,14 +168,20 @@ impl WritheReport {
         let mut notes = self.set.notes.clone();
         notes.push(closing_note(&self.set));
         notes.extend(extension_note(self.question.extension, self.set.unit.as_deref()));
+        if self.found.iter().any(|found| found.link.is_some()) {
+            notes.push("The link of a closed ribbon is counted, and is the sum of its twist and writhe.".to_owned());
+        }
+        if let Some(tolerance) = self.question.tolerance {
+            notes.push(format!(
+                "Summed by segments, far ones by expansions, to a tolerance of {tolerance:e}: --json has the share of each segment."
+            ));
+            return notes;
+        }
         notes.push(
             "Exact for the polygons: crossings seen along two directions, right-handed less left-handed, less the turns of each direction \
              about the curve. The error is what rounding can have done."
                 .to_owned(),
         );
-        if self.found.iter().any(|found| found.link.is_some()) {
-            notes.push("The link of a closed ribbon is counted, and is the sum of its twist and writhe.".to_owned());
-        }
         notes
     }
 
@@ -196,7 +228,10 @@ impl WritheReport {
         let mut top = header();
         let one = if let [one] = &self.found[..] { Some(one) } else { None };
         top.insert("unit".into(), json!(self.set.unit));
-        top.insert("method".into(), json!("crossings and twist"));
+        top.insert(
+            "method".into(),
+            json!(if self.question.tolerance.is_some() { "tree" } else { "crossings and twist" }),
+        );
         top.insert("extension".into(), extension_json(self.question.extension));
         top.insert("axis".into(), json!(self.question.axis));
         for quantity in QUANTITIES {
@@ -207,8 +242,11 @@ impl WritheReport {
             for quantity in QUANTITIES {
                 curve.insert(quantity.name.into(), quantity.json(Some(found)));
             }
-            curve.insert("discrepancy".into(), json!(found.writhe.discrepancy));
-            curve.insert("crossings".into(), json!(found.writhe.crossings));
+            curve.insert("crossings".into(), json!(found.seen.map(|(crossings, _)| crossings)));
+            curve.insert("discrepancy".into(), json!(found.seen.map(|(_, discrepancy)| discrepancy)));
+            if let Some(shares) = &found.shares {
+                curve.insert("shares".into(), json!(shares));
+            }
             Value::Object(curve)
         });
         top.insert("curves".into(), curves.collect());
@@ -254,8 +292,8 @@ const fn quantity(name: &'static str, label: &'static str, value: fn(&Writhing) 
 }
 
 const QUANTITIES: &[Quantity] = &[
-    quantity("writhe", "writhe", |found| Some(found.writhe.value)),
-    quantity("error_bound", "error at most", |found| Some(found.writhe.bound)),
+    quantity("writhe", "writhe", |found| Some(found.writhe)),
+    quantity("error_bound", "error at most", |found| Some(found.bound)),
     quantity("polar_writhe", "polar writhe", |found| found.polar.map(|polar| polar.value())),
     quantity("polar_writhe_local", "", |found| found.polar.map(|polar| polar.local)),
     quantity("polar_writhe_nonlocal", "", |found| found.polar.map(|polar| polar.nonlocal)),
@@ -263,7 +301,7 @@ const QUANTITIES: &[Quantity] = &[
     quantity("average_crossing_error_bound", "", |found| found.average_crossings.map(|share| share.bound)),
     quantity("twist", "twist", |found| found.twist.map(|twist| twist.value)),
     quantity("twist_error_bound", "", |found| found.twist.map(|twist| twist.bound)),
-    quantity("twist_plus_writhe", "twist + writhe", |found| found.twist.map(|twist| twist.value + found.writhe.value)),
+    quantity("twist_plus_writhe", "twist + writhe", |found| found.twist.map(|twist| twist.value + found.writhe)),
     // a count of crossings, far below 2^53
     Quantity { name: "linking_number", label: "link", whole: true, value: |found| found.link.map(|link| link as f64) },
 ];
