@@ -394,6 +394,15 @@ fn what_cannot_be_drawn_is_refused_in_one_sentence() {
         assert!(found.err.contains(part) && found.err.starts_with("error: "), "{more:?}: {}", found.err);
         assert_eq!(found.err.trim_end().lines().count(), 1, "{}", found.err);
     }
+    // what would be without effect is not taken
+    for more in [
+        &["--centrelines", "--stripes", "2"][..],
+        &["--centrelines", "--fit", "inside"],
+        &["--elements-per-pitch", "9"],
+    ] {
+        let found = call(&[&lay[..], &["--format", "csv"], more].concat());
+        assert_eq!((found.code, found.out.as_str()), (2, ""), "{more:?}: {}", found.err);
+    }
     let straight = call(&["mesh", "--strands", "3", "--helical-angle", "0 deg", "--format", "obj"]);
     assert!(straight.code == 1 && straight.err.contains("straight strands have no lay length"), "{}", straight.err);
     let state = call(&["mesh", YARN[0], "--state", "7", "--format", "obj"]);

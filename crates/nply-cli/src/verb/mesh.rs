@@ -36,6 +36,9 @@ pub(super) const VERB: Verb = Verb {
     run,
 };
 
+/// What only a surface has.
+const OF_SURFACES: [&str; 8] = ["contact-lines", "cut", "stripes", "chord-error", "facets", "segments", "fit", "ends"];
+
 /// How much of which ply: flags of every command that shows its shape.
 pub(super) fn shown(command: Command) -> Command {
     const MOST_STATES: i64 = 1_000;
@@ -125,9 +128,12 @@ fn arguments(command: Command) -> Command {
             Arg::new("centrelines")
                 .long("centrelines")
                 .action(ArgAction::SetTrue)
+                .conflicts_with_all(OF_SURFACES)
                 .help("Nodes on the centrelines instead of surfaces (CSV, XYZ, PDB, VTP, INP)"),
         )
-        .arg(count("elements-per-pitch", "Elements per lay length of a centreline (48)", FACETS))
+        .arg(
+            count("elements-per-pitch", "Elements per lay length of a centreline (48)", FACETS).requires("centrelines"),
+        )
 }
 
 /// What a flag's text is.

@@ -6,10 +6,20 @@ use nply::geometry::Vector;
 const LAMP: Vector = [-0.452, 0.652, 0.609];
 /// Towards a weaker lamp, which throws no shadow: from the right, where the near end looks.
 const FILL: Vector = [0.728, 0.243, 0.641];
-/// How small the lamp is: the larger, the harder the shadows on the ply itself.
-pub(super) const HARD: f64 = 7.0;
-/// The same of the shadow on what is behind.
-pub(super) const SOFT: f64 = 2.2;
+
+/// How shadows fall.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lamp {
+    /// the larger, the smaller the lamp and the harder its shadows
+    hardness: f64,
+    /// from how far off no shadow is thrown any more, in units of r
+    fades: f64,
+}
+
+/// On the ply itself.
+pub(super) const HARD: Lamp = Lamp { hardness: 7.0, fades: f64::INFINITY };
+/// On what is behind: a place close by is shaded, and one far off is not.
+pub(super) const SOFT: Lamp = Lamp { hardness: 2.2, fades: 14.0 };
 
 /// What is known of a surface where it is to be coloured; vectors in the picture's frame.
 pub(super) struct Surface {
@@ -37,7 +47,7 @@ pub(super) fn reach(
     place: Vector,
     normal: Vector,
     largest: f64,
-    hardness: f64,
+    thrown: Lamp,
 ) -> Reach {
     const STEPS: u32 = 48;
     const TAPS: u32 = 6;
@@ -50,7 +60,7 @@ pub(super) fn reach(
             break;
         }
         let gap = distance(off(off(place, normal, 0.01), LAMP, far));
-        lamp = lamp.min(hardness * gap / far + 0.02);
+        lamp = lamp.min(thrown.hardness * gap / far + 0.02 + far / thrown.fades);
         far += gap.clamp(0.05, 2.0);
     }
     let (mut hidden, mut weight) = (0.0, 1.0);

@@ -210,10 +210,10 @@ impl Tube {
         [x, y, height]
     }
 
-    /// How far triangles lie inside and outside, at their corners, middles and the middles of their edges. Where the course is uniform one
-    /// ring of facets is like any other.
+    /// How far triangles lie inside and outside, at a lattice of points. Where the course is uniform one ring of facets is like any other,
+    /// and is measured the more closely.
     fn deviation(&self, facets: Facets, placing: Placing) -> Result<[f64; 2], DomainError> {
-        let rings = if self.course.is_uniform() { 1 } else { facets.along };
+        let (rings, order) = if self.course.is_uniform() { (1, 6) } else { (facets.along, 4) };
         let mut off = [0.0_f64.min(placing.share - 1.0), 0.0_f64.max(placing.share - 1.0)].map(|off| off * self.radius);
         let mut below = self.ring(facets, 0, placing.share)?;
         for i in 0..rings {
@@ -222,7 +222,8 @@ impl Tube {
                 let k = (j + 1) % below.len();
                 for corners in halves([below[j], above[j], above[k], below[k]], placing.flipped) {
                     let [a, b, c] = corners.map(|corner| corner.position);
-                    for point in [mean(&[a, b]), mean(&[b, c]), mean(&[c, a]), mean(&[a, b, c])] {
+                    for [u, v, w] in lattice(order) {
+                        let point = core::array::from_fn(|i| u * a[i] + v * b[i] + w * c[i]);
                         let distance = self.distance(point);
                         off = [off[0].min(distance), off[1].max(distance)];
                     }
@@ -389,6 +390,12 @@ struct Corner {
 /// A facet in two triangles; its corners run below, above, above and next, below and next.
 fn halves<T: Copy>([a, b, c, d]: [T; 4], flipped: bool) -> [[T; 3]; 2] {
     if flipped { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+}
+
+/// Weights of the corners at the points of a triangle that part its edges into so many pieces, without the first corner.
+fn lattice(order: u32) -> impl Iterator<Item = [f64; 3]> {
+    let share = move |k: u32| f64::from(k) / f64::from(order);
+    (0..=order).flat_map(move |i| (0..=order - i).map(move |j| [share(i), share(j), share(order - i - j)])).skip(1)
 }
 
 fn mean(points: &[Vector]) -> Vector {
