@@ -2,6 +2,7 @@
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
+use nply_sheet::construction::CONSTRUCTION_KEYS;
 use nply_sheet::{KEYS, Key, Kind, Table};
 
 pub(crate) fn plot() -> Arg {
@@ -46,15 +47,32 @@ pub(crate) fn with_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Comm
     })
 }
 
+/// FILE and one flag a key of a layered strand; those of a layer may be repeated.
+pub(crate) fn with_construction_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Command {
+    let file = Arg::new("file").value_name("FILE").help("A TOML file with the strand; `-` reads standard input");
+    CONSTRUCTION_KEYS.iter().filter(|key| wanted(key)).fold(command.arg(file), |command, key| {
+        let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
+        let flag = if key.table == Table::Layer { flag.action(ArgAction::Append) } else { flag };
+        command.arg(match key.kind {
+            Kind::Switch => flag.num_args(0..=1).default_missing_value("true").value_name("true|false"),
+            _ => flag.allow_hyphen_values(true).value_name(value_name(key.kind)),
+        })
+    })
+}
+
 const fn heading(table: Table) -> &'static str {
     match table {
         Table::Ply => "Ply",
         Table::Strand => "Strand",
         Table::Twist => "Twist of the strands (one)",
         Table::Lay => "Lay, where the shape is given (one)",
+        Table::Formed => "Lay in which a ply of strands that stretch was made",
         Table::Load => "Load",
-        Table::Ends => "Ends that are held (one)",
-        Table::Support => "A core the strands may lie on (one)",
+        Table::Ends => "Ends that are held (one; of strands that stretch, rotation and length)",
+        Table::Support => "A core the strands may lie on",
+        Table::Construction => "Strand",
+        Table::Core => "Core",
+        Table::Layer => "Layer (repeat a flag once for each layer, from the inside; a flag given once holds for all)",
     }
 }
 
@@ -66,7 +84,9 @@ const fn value_name(kind: Kind) -> &'static str {
         Kind::Text => "TEXT",
         Kind::Length => "LENGTH",
         Kind::Stiffness => "STIFFNESS",
-        Kind::Pressure => "PRESSURE",
+        Kind::Pressure | Kind::Modulus => "PRESSURE",
+        Kind::LinearDensity => "LINEAR DENSITY",
+        Kind::Density => "DENSITY",
         Kind::Temperature => "TEMPERATURE",
         Kind::Angle => "ANGLE",
         Kind::Turns => "TURNS",

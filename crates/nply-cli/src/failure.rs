@@ -4,6 +4,7 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use nply_sheet::SpecError;
+use nply_sheet::curves::ReadError;
 use nply_sheet::table::TableError;
 
 /// Why there is no answer.
@@ -11,6 +12,10 @@ use nply_sheet::table::TableError;
 pub(crate) enum Failure {
     /// The input is refused; with the text of the file it stands in.
     Refused(SpecError, String),
+    /// A file of curves is refused.
+    Unreadable(ReadError),
+    /// Curves are understood, and what is asked of them does not exist: the sentence.
+    Premise(String),
     /// A file cannot be read or written.
     File { what: String, error: io::Error },
     /// Nobody reads the answer any more: no error.
@@ -19,6 +24,8 @@ pub(crate) enum Failure {
     Interrupted,
 }
 
+/// The premise is broken.
+const PREMISE: u8 = 1;
 /// File trouble.
 const FILE: u8 = 3;
 /// Usage.
@@ -31,6 +38,8 @@ impl Failure {
     pub(crate) fn report(self) -> ExitCode {
         let (text, status) = match self {
             Self::Refused(error, text) => (error.render_styled(&text), error.exit_code()),
+            Self::Unreadable(error) => (format!("error: {error}"), error.exit_code()),
+            Self::Premise(why) => (format!("error: {why}"), PREMISE),
             Self::File { what, error } => (format!("error: {what}: {error}"), FILE),
             Self::ClosedPipe => return ExitCode::SUCCESS,
             Self::Interrupted => ("interrupted: nothing is kept".to_owned(), INTERRUPTED),

@@ -5,20 +5,21 @@ use std::io::{self, Read as _};
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use nply_sheet::construction::{CONSTRUCTION_KEYS, ConstructionSpec};
 use nply_sheet::{KEYS, Spec, SpecError};
 
 use crate::failure::Failure;
 
 /// What was written, and the text of the file for messages.
-pub(crate) struct Input {
-    pub(crate) spec: Spec,
+pub(crate) struct Input<S = Spec> {
+    pub(crate) spec: S,
     text: String,
 }
 
 /// A ply is some lines; what is larger than this (1 MiB) is some other file.
 const LARGEST: u64 = 1 << 20;
 
-impl Input {
+impl<S> Input<S> {
     pub(crate) fn refused(&self, error: SpecError) -> Failure {
         Failure::Refused(error, self.text.clone())
     }
@@ -36,17 +37,37 @@ pub(crate) fn read(arguments: &ArgMatches) -> Result<Input, Failure> {
     let Some(path) = arguments.get_one::<String>("file") else {
         return Ok(Input { spec: flags, text: String::new() });
     };
-    let (name, bytes) = if path == "-" {
-        ("standard input", load(io::stdin()))
-    } else {
-        (path.as_str(), File::open(path).and_then(load))
-    };
-    let bytes = bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?;
+    let (name, bytes) = contents(path)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     match Spec::from_bytes(name, &bytes) {
         Ok(spec) => Ok(Input { spec: spec.overridden_by(&flags), text }),
         Err(error) => Err(Failure::Refused(error, text)),
     }
+}
+
+/// As [`read`], of a layered strand.
+pub(crate) fn read_construction(arguments: &ArgMatches) -> Result<Input<ConstructionSpec>, Failure> {
+    let flags = CONSTRUCTION_KEYS.iter().flat_map(|key| {
+        let given = arguments.try_get_many::<String>(key.flag).ok().flatten().into_iter().flatten();
+        given.map(|value| (key.flag, value.as_str()))
+    });
+    let flags = ConstructionSpec::from_flags(flags).map_err(|error| Failure::Refused(error, String::new()))?;
+    let Some(path) = arguments.get_one::<String>("file") else {
+        return Ok(Input { spec: flags, text: String::new() });
+    };
+    let (name, bytes) = contents(path)?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    match ConstructionSpec::from_bytes(name, &bytes).and_then(|spec| spec.overridden_by(&flags)) {
+        Ok(spec) => Ok(Input { spec, text }),
+        Err(error) => Err(Failure::Refused(error, text)),
+    }
+}
+
+/// A file's name for messages, and what is in it.
+fn contents(path: &str) -> Result<(&str, Vec<u8>), Failure> {
+    let (name, bytes) =
+        if path == "-" { ("standard input", load(io::stdin())) } else { (path, File::open(path).and_then(load)) };
+    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?))
 }
 
 /// What changes at a corner of a study, by flags with a prefix, in the order in which they were given; `None` without any.

@@ -1,6 +1,7 @@
 //! The command `nply`: argv, files, terminal and exit codes; everything else is in `nply-sheet` and `nply`.
 
 mod arguments;
+mod curves;
 mod failure;
 mod input;
 mod interrupt;

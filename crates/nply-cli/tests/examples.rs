@@ -48,8 +48,9 @@ fn every_example_is_answered_and_names_its_source() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {
             count += 1;
-            out(&["solve", path.to_str().unwrap()]);
             let text = fs::read_to_string(&path).unwrap();
+            let command = if text.contains("\n[[layer]]\n") { "fit-check" } else { "solve" };
+            out(&[command, path.to_str().unwrap()]);
             let comment: String = text.lines().take_while(|line| line.starts_with('#')).collect();
             assert!(
                 ["Source", "Journal", "Sci. Rep.", "BioNumbers"].iter().any(|word| comment.contains(word)),
@@ -57,7 +58,7 @@ fn every_example_is_answered_and_names_its_source() {
             );
         }
     }
-    assert_eq!(count, 10, "an example without a test of its own");
+    assert_eq!(count, 15, "an example without a test of its own");
 }
 
 /// Lay of 8.5 nm, chain radius 0.2582 nm: 2πρ/tan θ = 8.5/0.2582.
@@ -329,4 +330,33 @@ fn letting_go() {
     assert!(end["handedness"] == 1 && end["stability"] == "stable");
     let balanced = json(&["solve", "--strands", "3", "--stiffness-ratio", "0.75", "--pretwist", "-1", "--json"]);
     near(number(&end, "helical_angle_deg"), number(&states(&balanced)[0], "helical_angle_deg"), TOLERANCE);
+}
+
+/// A pulled strand whose ends cannot turn, by balances that need none of its theory: its wires' tensions and its core's make up its force,
+/// a taut wire presses on the core with tension times curvature, and what it answers between two forces is its stiffness.
+#[test]
+fn steel_strand_pulled() {
+    let at = |force: &str| {
+        let report = json(&["support", "examples/steel-strand-pulled.toml", "--force", force, "--json"]);
+        let [state] = states(&report) else { panic!("{report}") };
+        state.clone()
+    };
+    let (state, pulled) = (at("100 kN"), at("101 kN"));
+    let (si, more) = (&state["si"], &pulled["si"]);
+    let (strain, angle) = (number(&state, "strain"), number(&state, "helical_angle_deg").to_radians());
+    let tension = 200e9 * std::f64::consts::PI * 2.1e-3 * 2.1e-3 * strain;
+    // what presses from the sides stretches by Poisson's ratio, and that part of the stretch pulls with nothing
+    let squeeze = 0.3 * number(si, "core_pressure");
+    let pulls = 6.0 * (tension - squeeze * 2.1e-3) * angle.cos() + number(si, "core_force");
+    near(pulls - 6.0 * squeeze * 2.15e-3 / angle.cos(), 100e3, 3e-4);
+    let curvature = angle.sin().powi(2) / (number(&state, "radius_ratio") * 2.1e-3);
+    // per unstretched length
+    near(number(si, "core_pressure") / ((1.0 + strain) * (tension - squeeze * 2.1e-3) * curvature), 1.0, 2e-3);
+    let strained = number(&pulled, "extension") / number(&state, "extension") - 1.0;
+    near(1e3 / strained, number(si, "axial_stiffness"), 1e-3);
+    let torque = (number(more, "moment") - number(si, "moment")) / 1e3;
+    near(torque / number(si, "outer_diameter"), number(&state, "torque_factor"), 1e-3);
+    // nominal of seven-wire prestressing strand: 195 GPa (EN 1992-1-1, 3.3.6)
+    assert!((number(si, "modulus") / 195e9 - 1.0).abs() < 0.01);
+    assert_eq!(state["support"], "core");
 }

@@ -56,6 +56,10 @@ impl Dimension {
     pub const MASS: Self = Self { force: 1, time: 2, length: -1, ..Self::NUMBER };
     /// Mass per length, in kg/m.
     pub const LINEAR_DENSITY: Self = Self { length: -2, ..Self::MASS };
+    /// Mass per volume, in kg/m³.
+    pub const DENSITY: Self = Self { length: -4, ..Self::MASS };
+    /// Force per linear density, in N m/kg: the stress of textile people, cN/tex.
+    pub const SPECIFIC_STRESS: Self = Self { length: 2, time: -2, ..Self::NUMBER };
 
     /// Multiplied by `other` to the given power; `None` where an exponent passes what a quantity could mean (±99).
     ///
@@ -78,7 +82,7 @@ impl Dimension {
 
     /// The field's words for it, where there are any.
     const fn words(self) -> Option<&'static str> {
-        const NAMED: [(Dimension, &str); 15] = [
+        const NAMED: [(Dimension, &str); 17] = [
             (Dimension::NUMBER, "a pure number"),
             (Dimension::LENGTH, "a length"),
             (Dimension::AREA, "an area"),
@@ -94,6 +98,8 @@ impl Dimension {
             (Dimension::TIME, "a time"),
             (Dimension::MASS, "a mass"),
             (Dimension::LINEAR_DENSITY, "a linear density (mass per length)"),
+            (Dimension::DENSITY, "a density (mass per volume)"),
+            (Dimension::SPECIFIC_STRESS, "a specific stress (force per linear density)"),
         ];
         let mut at = 0;
         while at < NAMED.len() {

@@ -1,6 +1,7 @@
-//! The one list of everything that can be written: keys of the file, flags of the command line.
+//! The one list of everything that can be written of a ply: keys of the file, flags of the command line.
 
 use crate::Dimension;
+use crate::construction::CONSTRUCTION_KEYS;
 
 /// A table of the input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,17 +14,26 @@ pub enum Table {
     Twist,
     /// `[lay]`: the shape of the ply, where it is given and not asked for.
     Lay,
+    /// `[formed]`: the lay in which a ply of strands that stretch was made.
+    Formed,
     /// `[load]`: what pulls and turns the ply.
     Load,
     /// `[ends]`: how the ply's ends are held, where a displacement is given instead of a load.
     Ends,
     /// `[support]`: a core that the strands may lie on or lift off from.
     Support,
+    /// `[construction]` of a layered strand: its name and outer diameter.
+    Construction,
+    /// `[core]` of a layered strand: the king wire, or whatever the first layer lies on.
+    Core,
+    /// `[[layer]]` of a layered strand: wires alike, laid side by side.
+    Layer,
 }
 
 impl Table {
-    /// All tables, in the order in which a file is usually written.
-    pub const ALL: [Self; 7] = [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Load, Self::Ends, Self::Support];
+    /// All tables of a ply, in the order in which a file is usually written.
+    pub const ALL: [Self; 8] =
+        [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Formed, Self::Load, Self::Ends, Self::Support];
 
     /// The name between the brackets.
     #[must_use]
@@ -33,9 +43,13 @@ impl Table {
             Self::Strand => "strand",
             Self::Twist => "twist",
             Self::Lay => "lay",
+            Self::Formed => "formed",
             Self::Load => "load",
             Self::Ends => "ends",
             Self::Support => "support",
+            Self::Construction => "construction",
+            Self::Core => "core",
+            Self::Layer => "layer",
         }
     }
 }
@@ -62,6 +76,8 @@ pub enum Kind {
     Stiffness,
     /// Force per area.
     Pressure,
+    /// Mass per length, or a yarn count: the titre of a strand.
+    LinearDensity,
     /// An absolute temperature.
     Temperature,
     /// An angle, always with its unit.
@@ -78,6 +94,10 @@ pub enum Kind {
     Moment,
     /// A force per length; bare, in B/r³.
     ForcePerLength,
+    /// Mass per volume; bare where lengths are.
+    Density,
+    /// Young's modulus of a layer or core; bare where lengths are.
+    Modulus,
 }
 
 impl Kind {
@@ -93,7 +113,8 @@ impl Kind {
             Self::Switch => "true or false",
             Self::Length => "a length, such as \"0.5 mm\"",
             Self::Stiffness => "a stiffness (force times length squared), such as \"50 pN nm^2\"",
-            Self::Pressure => "a pressure, such as \"70 GPa\"",
+            Self::Pressure | Self::Modulus => "a pressure, such as \"70 GPa\"",
+            Self::LinearDensity => "a linear density, such as \"94 tex\", \"840 den\" or \"Ne 30\"",
             Self::Temperature => "a temperature, such as \"298 K\"",
             Self::Angle => "an angle, such as \"20 deg\"",
             Self::Turns => "a number of turns, such as 12 or \"12 turns\"",
@@ -102,6 +123,7 @@ impl Kind {
             Self::Force => "a force, such as \"1.2 kN\"",
             Self::Moment => "a moment, such as \"4.1 pN nm\"",
             Self::ForcePerLength => "a force per length, such as \"5 N/mm\"",
+            Self::Density => "a density, such as \"7.85 g/cm^3\"",
         }
     }
 
@@ -113,19 +135,21 @@ impl Kind {
             Self::Balance | Self::Hand | Self::Text | Self::Switch => None,
             Self::Length => Some(Dimension::LENGTH),
             Self::Stiffness => Some(Dimension::STIFFNESS),
-            Self::Pressure => Some(Dimension::PRESSURE),
+            Self::Pressure | Self::Modulus => Some(Dimension::PRESSURE),
+            Self::LinearDensity => Some(Dimension::LINEAR_DENSITY),
             Self::Temperature => Some(Dimension::TEMPERATURE),
             Self::Angle | Self::Turns => Some(Dimension::ANGLE),
             Self::TurnsPerLength | Self::Twist => Some(Dimension::ANGLE_PER_LENGTH),
             Self::Force => Some(Dimension::FORCE),
             Self::Moment => Some(Dimension::MOMENT),
             Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
+            Self::Density => Some(Dimension::DENSITY),
         }
     }
 
     /// Whether a bare number can be meant at all; whether it may stand in a given input depends on what else is given.
     pub(crate) const fn may_be_bare(self) -> bool {
-        !matches!(self, Self::Stiffness | Self::Pressure | Self::Temperature | Self::Angle)
+        !matches!(self, Self::Stiffness | Self::Pressure | Self::LinearDensity | Self::Temperature | Self::Angle)
     }
 }
 
@@ -146,11 +170,25 @@ pub(crate) enum Group {
     Ends,
     /// The size of a core the strands may lie on.
     Support,
+    /// Poisson's ratio by which strands thin.
+    Thinning,
+    /// The lay in which the ply was made.
+    Formed,
+    /// What gives a core's stiffness against stretch.
+    CoreAxial,
+    /// What gives a core's stiffness against twist.
+    CoreTorsion,
+    /// The size of a layered strand's core.
+    CoreSize,
+    /// The lay of a layer.
+    LayerLay,
+    /// What core or wires weigh.
+    Density,
 }
 
 /// One datum, whatever it is called on paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each is the key of the same name; KEYS says what it means")]
+#[expect(missing_docs, reason = "each is the key of the same name; KEYS and CONSTRUCTION_KEYS say what it means")]
 #[non_exhaustive]
 pub enum Datum {
     Title,
@@ -159,6 +197,9 @@ pub enum Datum {
     Hand,
     Radius,
     Diameter,
+    LinearDensity,
+    Density,
+    PackingFraction,
     BendingStiffness,
     TorsionalStiffness,
     StiffnessRatio,
@@ -182,6 +223,7 @@ pub enum Datum {
     LayRatio,
     PlyTurnsPerLength,
     RadiusRatio,
+    HelixRadius,
     CoreRadius,
     CoreDiameter,
     Force,
@@ -195,6 +237,44 @@ pub enum Datum {
     LengthRatio,
     SupportCoreRadius,
     SupportCoreDiameter,
+    Stretch,
+    AxialStiffness,
+    ThinningRatio,
+    FormedHelicalAngle,
+    FormedLayLength,
+    FormedRadiusRatio,
+    FormedHand,
+    Preforming,
+    SupportCoreYoungsModulus,
+    SupportCorePoissonsRatio,
+    SupportCoreAxialStiffness,
+    SupportCoreTorsionalStiffness,
+    StrandTitle,
+    StrandOuterDiameter,
+    StrandCoreDiameter,
+    StrandCoreDiameterRatio,
+    StrandCoreDensity,
+    StrandCoreMaterial,
+    StrandCoreYoungsModulus,
+    StrandCorePoissonsRatio,
+    LayerWires,
+    LayerWireDiameter,
+    LayerLayLength,
+    LayerLayRatio,
+    LayerLayAngle,
+    LayerHand,
+    LayerGap,
+    LayerDensity,
+    LayerMaterial,
+    LayerYoungsModulus,
+    LayerPoissonsRatio,
+    LayerPreforming,
+    LayerPretwist,
+    CableForce,
+    CableMoment,
+    CableTurning,
+    CableTorqueFactor,
+    CableBalancedLayer,
 }
 
 /// One key: where it stands in the file, its flag, what it means.
@@ -221,7 +301,7 @@ pub struct Key {
     pub(crate) group: Option<Group>,
 }
 
-const fn key(
+pub(crate) const fn key(
     datum: Datum,
     table: Table,
     name: &'static str,
@@ -233,7 +313,7 @@ const fn key(
 }
 
 impl Key {
-    const fn one_of(mut self, group: Group) -> Self {
+    pub(crate) const fn one_of(mut self, group: Group) -> Self {
         self.group = Some(group);
         self
     }
@@ -247,19 +327,46 @@ impl Key {
     /// ```
     #[must_use]
     pub const fn may_change(&self) -> bool {
-        matches!(self.table, Table::Twist | Table::Ends | Table::Support)
+        matches!(self.table, Table::Twist | Table::Ends)
+            || matches!(self.datum, Datum::SupportCoreRadius | Datum::SupportCoreDiameter)
             || matches!(self.datum, Datum::Force | Datum::Moment | Datum::StiffnessRatio)
+    }
+
+    /// Whether its sign is a hand, so that S or Z can be written in its place: every twist and every turning of the ply.
+    ///
+    /// ```
+    /// use nply_sheet::KEYS;
+    /// assert!(KEYS.iter().any(|key| key.flag == "ply-turns-per-length" && key.takes_hand()));
+    /// assert!(KEYS.iter().all(|key| key.flag != "moment" || !key.takes_hand()));
+    /// ```
+    #[must_use]
+    pub const fn takes_hand(&self) -> bool {
+        matches!(self.table, Table::Twist)
+            || matches!(
+                self.datum,
+                Datum::PlyTurnsPerLength
+                    | Datum::PlyRotation
+                    | Datum::PlyTurns
+                    | Datum::PlyTurnsPerStrandLength
+                    | Datum::LayerPretwist
+                    | Datum::CableTurning
+            )
     }
 
     /// The key of a datum.
     pub(crate) fn of(datum: Datum) -> Option<&'static Self> {
-        KEYS.iter().find(|key| key.datum == datum)
+        Self::every().find(|key| key.datum == datum)
+    }
+
+    /// The keys of every kind of document.
+    pub(crate) fn every() -> impl Iterator<Item = &'static Self> {
+        KEYS.iter().chain(&CONSTRUCTION_KEYS)
     }
 }
 
-/// Every key, table by table.
+/// Every key of a ply, table by table.
 #[rustfmt::skip] // a table: one row a line
-pub static KEYS: [Key; 42] = [
+pub static KEYS: [Key; 58] = [
     key(Datum::Title, Table::Ply, "title", "title", Kind::Text, "A name for the report"),
     key(Datum::Strands, Table::Ply, "strands", "strands", Kind::Count, "Number of strands n, 2 or more"),
     key(Datum::Balance, Table::Ply, "balance", "balance", Kind::Balance, "contact (touching strands, the default) or radial (as published)"),
@@ -267,6 +374,9 @@ pub static KEYS: [Key; 42] = [
 
     key(Datum::Radius, Table::Strand, "radius", "radius", Kind::Length, "Strand radius r").one_of(Group::Size),
     key(Datum::Diameter, Table::Strand, "diameter", "diameter", Kind::Length, "Strand diameter 2r").one_of(Group::Size),
+    key(Datum::LinearDensity, Table::Strand, "linear_density", "linear-density", Kind::LinearDensity, "Mass per length of a strand: tex, den, or a count as in \"Ne 30\"; with density it gives the diameter"),
+    key(Datum::Density, Table::Strand, "density", "density", Kind::Density, "Density of the fibre or wire itself, for linear_density"),
+    key(Datum::PackingFraction, Table::Strand, "packing_fraction", "packing-fraction", Kind::Number, "Share of a strand's cross-section that is fibre, for linear_density; 1 (solid) if absent"),
     key(Datum::BendingStiffness, Table::Strand, "bending_stiffness", "bending-stiffness", Kind::Stiffness, "Bending stiffness B of a strand").one_of(Group::Bending),
     key(Datum::TorsionalStiffness, Table::Strand, "torsional_stiffness", "torsional-stiffness", Kind::Stiffness, "Torsional stiffness C of a strand").one_of(Group::Torsion),
     key(Datum::StiffnessRatio, Table::Strand, "stiffness_ratio", "stiffness-ratio", Kind::Number, "Stiffness ratio C/B, greater than 0").one_of(Group::Torsion),
@@ -277,6 +387,10 @@ pub static KEYS: [Key; 42] = [
     key(Datum::TwistPersistenceLength, Table::Strand, "twist_persistence_length", "twist-persistence-length", Kind::Length, "Twist persistence length C', C = kT C'").one_of(Group::Torsion),
     key(Datum::Temperature, Table::Strand, "temperature", "temperature", Kind::Temperature, "Temperature T for persistence lengths"),
     key(Datum::StrandLength, Table::Strand, "length", "strand-length", Kind::Length, "Strand length L; needed for turns and rotations, and for the ply's length"),
+
+    key(Datum::Stretch, Table::Strand, "stretch", "stretch", Kind::Switch, "Strands stretch and thin under load; ends may be held in length and rotation both"),
+    key(Datum::AxialStiffness, Table::Strand, "axial_stiffness", "axial-stiffness", Kind::Force, "Stiffness EA of a strand that stretches; follows from Young's modulus where it is solid and round"),
+    key(Datum::ThinningRatio, Table::Strand, "thinning_ratio", "thinning-ratio", Kind::Number, "Poisson's ratio by which a strand thins as it stretches, where poissons_ratio is not given; 0 if absent").one_of(Group::Thinning),
 
     key(Datum::Pretwist, Table::Twist, "pretwist", "pretwist", Kind::Number, "Rotation put into each strand per length, times r; right-handed positive").one_of(Group::Twist),
     key(Datum::SurfaceAngle, Table::Twist, "surface_angle", "surface-angle", Kind::Angle, "Angle chi of a stripe on the straight strand, pretwist = tan chi").one_of(Group::Twist),
@@ -292,8 +406,15 @@ pub static KEYS: [Key; 42] = [
     key(Datum::LayRatio, Table::Lay, "lay_ratio", "lay-ratio", Kind::Number, "Lay length over the outer diameter of the ply").one_of(Group::Lay),
     key(Datum::PlyTurnsPerLength, Table::Lay, "turns_per_length", "ply-turns-per-length", Kind::TurnsPerLength, "Turns of the ply per ply length; right-handed positive").one_of(Group::Lay),
     key(Datum::RadiusRatio, Table::Lay, "radius_ratio", "radius-ratio", Kind::Number, "Helix radius of the strands over the strand radius, R/r").one_of(Group::Lay),
+    key(Datum::HelixRadius, Table::Lay, "helix_radius", "helix-radius", Kind::Length, "Radius R of the helix of the strands' centrelines; beside another lay, it gives the strand's size"),
     key(Datum::CoreRadius, Table::Lay, "core_radius", "core-radius", Kind::Length, "Radius of a core that touching strands do lie on (this gives the shape), R = core radius + r").one_of(Group::Lay),
     key(Datum::CoreDiameter, Table::Lay, "core_diameter", "core-diameter", Kind::Length, "Diameter of a core that touching strands do lie on (this gives the shape)").one_of(Group::Lay),
+
+    key(Datum::FormedHelicalAngle, Table::Formed, "helical_angle", "formed-helical-angle", Kind::Angle, "Lay angle in which the ply was made: its core is free of stress there").one_of(Group::Formed),
+    key(Datum::FormedLayLength, Table::Formed, "lay_length", "formed-lay-length", Kind::Length, "The same, by its lay length").one_of(Group::Formed),
+    key(Datum::FormedRadiusRatio, Table::Formed, "radius_ratio", "formed-radius-ratio", Kind::Number, "R/r in which the ply was made; the least there is, on the core or on neighbours, if absent"),
+    key(Datum::FormedHand, Table::Formed, "hand", "formed-hand", Kind::Hand, "Which way the ply was laid: right (Z), as if absent, or left (S)"),
+    key(Datum::Preforming, Table::Formed, "preforming", "preforming", Kind::Number, "How far strands were bent to this lay beforehand: 0 straight, as if absent, to 1 free of stress in it"),
 
     key(Datum::Force, Table::Load, "force", "force", Kind::Force, "End force on the ply, tension positive"),
     key(Datum::Moment, Table::Load, "moment", "moment", Kind::Moment, "End moment on the ply, right-handed positive"),
@@ -308,6 +429,10 @@ pub static KEYS: [Key; 42] = [
 
     key(Datum::SupportCoreRadius, Table::Support, "core_radius", "support-core-radius", Kind::Length, "Radius of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
     key(Datum::SupportCoreDiameter, Table::Support, "core_diameter", "support-core-diameter", Kind::Length, "Diameter of a core that strands may lie on or lift off from (whether they do is found)").one_of(Group::Support),
+    key(Datum::SupportCoreYoungsModulus, Table::Support, "core_youngs_modulus", "support-core-youngs-modulus", Kind::Pressure, "Young's modulus of a solid round core that works along with strands that stretch").one_of(Group::CoreAxial),
+    key(Datum::SupportCorePoissonsRatio, Table::Support, "core_poissons_ratio", "support-core-poissons-ratio", Kind::Number, "Poisson's ratio of the core, by which it thins; the strands' if absent"),
+    key(Datum::SupportCoreAxialStiffness, Table::Support, "core_axial_stiffness", "support-core-axial-stiffness", Kind::Force, "Stiffness EA of the core, where it is not solid and round").one_of(Group::CoreAxial),
+    key(Datum::SupportCoreTorsionalStiffness, Table::Support, "core_torsional_stiffness", "support-core-torsional-stiffness", Kind::Stiffness, "Stiffness GJ of the core; 0 if absent").one_of(Group::CoreTorsion),
 ];
 
 /// The name among `known` that is nearest to what was written, if it is near enough to have been meant.
@@ -350,9 +475,9 @@ mod tests {
                 Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength | Datum::PlyLength => {
                     assert_eq!(key.flag, format!("ply-{same}"));
                 }
-                Datum::SupportCoreRadius | Datum::SupportCoreDiameter => {
-                    assert_eq!(key.flag, format!("support-{same}"));
-                }
+                _ if key.table == Table::Support => assert_eq!(key.flag, format!("support-{same}")),
+                Datum::Preforming => assert_eq!(key.flag, "preforming"),
+                _ if key.table == Table::Formed => assert_eq!(key.flag, format!("formed-{same}")),
                 _ => assert_eq!(key.flag, same),
             }
         }

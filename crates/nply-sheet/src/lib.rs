@@ -13,6 +13,7 @@
 #![warn(missing_docs)]
 
 mod case;
+pub mod construction;
 pub mod curves;
 mod diagnostic;
 mod dimension;
@@ -23,6 +24,7 @@ pub mod map;
 pub mod mesh;
 pub mod plot;
 mod preferred;
+mod preset;
 mod quantity;
 pub mod render;
 mod report;
@@ -33,15 +35,17 @@ pub mod sweep;
 pub mod table;
 mod unit;
 
-pub use case::{Case, Lay, Question, Shape};
+pub use case::{Case, Lay, Question, Shape, StringStiffness, Strings};
 pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
+pub use preset::{PRESETS, Preset, list_presets};
 pub use quantity::{Quantity, QuantityError};
 pub use report::{
-    AngleLine, COLUMNS, Column, Known, LaysReport, LocusReport, Measure, Reading, Report, Section, ShapeReport,
-    SpecialPoint, TraceReport, Walk,
+    AngleLine, COLUMNS, ClearanceReport, Column, Extension, FitReport, Known, LaysReport, Link, LinkReport,
+    LocusReport, Measure, PlyingReport, Reading, Report, Section, ShapeReport, SpecialPoint, StiffnessReport,
+    StringsReport, TraceReport, Walk, WritheQuestion, WritheReport, Writhing,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

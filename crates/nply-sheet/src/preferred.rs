@@ -1,6 +1,6 @@
 //! The units in which a report answers: those of the person who asked.
 
-use crate::spec::{Spec, Value};
+use crate::spec::{Entry, Spec, Value};
 use crate::{Datum, Dimension, Quantity, Unit};
 
 /// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value.
@@ -51,8 +51,13 @@ impl PreferredUnits {
                     | Datum::TwistPersistenceLength
             )
         });
+        Self::first_written(first.into_iter().chain(last))
+    }
+
+    /// Per dimension the unit that stands first among entries.
+    pub(crate) fn first_written<'e>(entries: impl Iterator<Item = &'e Entry>) -> Self {
         let mut written: Vec<Unit> = Vec::new();
-        for entry in first.into_iter().chain(last) {
+        for entry in entries {
             if let Value::Quantity(Quantity::Measured { unit, .. }) = &entry.value
                 && written.iter().all(|known| known.dimension() != unit.dimension())
             {

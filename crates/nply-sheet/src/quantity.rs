@@ -94,7 +94,7 @@ fn instead(nearest: Option<&'static str>) -> String {
 /// What to do with a quantity that is not asked for anywhere.
 fn advice(found: Dimension) -> &'static str {
     match found {
-        Dimension::LINEAR_DENSITY => "; a strand is described by its radius or diameter, not by its titre",
+        Dimension::LINEAR_DENSITY => "; a titre is given as `linear_density`, with the `density` of the fibre",
         Dimension::MASS => "; for a weight write kgf or lbf",
         Dimension::PER_LENGTH => "; write rad/m or turns/m for a twist",
         _ => "",
@@ -201,6 +201,46 @@ impl Quantity {
         }
     }
 
+    /// A titre: a linear density such as `94 tex`, or a yarn count, which is a length per mass: `Ne 30` or `30 Ne` (hanks of 840 yards
+    /// per pound) and `Nm 40` or `40 Nm` (km per kg), in tex then.
+    ///
+    /// # Errors
+    /// [`QuantityError`] as of [`Quantity::parse`]; a folded count such as `30/2` is refused.
+    ///
+    /// ```
+    /// use nply_sheet::Quantity;
+    /// assert_eq!(Quantity::parse_linear_density("Nm 40")?.si(), 25e-6); // 25 tex
+    /// assert!((Quantity::parse_linear_density("Ne 30")?.si() - 19.685e-6).abs() < 1e-9);
+    /// # Ok::<(), nply_sheet::QuantityError>(())
+    /// ```
+    pub fn parse_linear_density(text: &str) -> Result<Self, QuantityError> {
+        const NE: f64 = 0.453_592_37 / (840.0 * 0.9144); // kg/m of count 1, exact by definition of pound and yard
+        const NM: f64 = 1e-3;
+        let read = text.trim();
+        let count = [("Ne", NE), ("NeC", NE), ("Nm", NM)].into_iter().find_map(|(name, of_one)| {
+            let apart = |rest: &str| rest.starts_with(|c: char| c.is_whitespace() || c.is_ascii_digit());
+            let before = read.strip_prefix(name).filter(|rest| apart(rest));
+            let behind = || read.strip_suffix(name).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
+            Some((before.or_else(behind)?.trim(), of_one))
+        });
+        let Some((count, of_one)) = count else { return Self::parse(text) };
+        if count.contains('/') {
+            return Err(QuantityError::BadUnit {
+                unit: crate::quoted(read),
+                reason: "a folded count is that of a ply; give the count of one strand, as in \"Ne 30\"",
+            });
+        }
+        let Self::Bare(number) = Self::parse(count)? else {
+            return Err(QuantityError::NotANumber { read: crate::quoted(read) });
+        };
+        let si = of_one / number;
+        if si.is_finite() && si != 0.0 {
+            Ok(Self::Measured { si, unit: Unit::parse("tex")? })
+        } else {
+            Err(QuantityError::OutOfRange { read: crate::quoted(read) })
+        }
+    }
+
     /// The number itself if bare, else the value in SI (m, N, s, rad, K and their products).
     #[must_use]
     pub const fn si(&self) -> f64 {
@@ -299,7 +339,7 @@ mod tests {
             ("0,5 mm", "decimal point"),
             ("12 000 N", "is wanted here"),
             ("1.2.3 mm", "is wanted here"),
-            ("5 kBT", "no unit known"),
+            ("5 kTB", "no unit known"),
             ("1e999 m", "too large or too small"),
             ("1e-999 m", "too large or too small"),
             ("1e999", "too large or too small"),
@@ -318,7 +358,7 @@ mod tests {
                 .to_string()
         };
         assert_eq!(wrong("3 N", Dimension::FORCE), r#""3 N" is a force; what is wanted is a length, such as "0.5 mm""#);
-        assert!(wrong("70 tex", Dimension::LINEAR_DENSITY).contains("radius or diameter"));
+        assert!(wrong("70 tex", Dimension::LINEAR_DENSITY).contains("`linear_density`"));
         assert!(wrong("70 kg", Dimension::MASS).contains("kgf"));
     }
 

@@ -1,7 +1,10 @@
 //! From the case to its states.
 
 use nply::geometry::{Contact, HelicalAngle};
-use nply::mechanics::{Balance, Ends, Equilibrium, Load, Ply, Support, SupportedState, Twist, Wedge};
+use nply::mechanics::{
+    Axial, Balance, Ends, Equilibrium, ExtensiblePly, ExtensibleState, Grips, Load, Ply, Support, SupportedState,
+    Turning, Twist, Wedge,
+};
 use nply::{DomainError, Handedness};
 
 use crate::{Case, Lay, Question};
@@ -18,16 +21,18 @@ pub struct Solution {
     pub other_balance: Option<Vec<Equilibrium>>,
     /// Where it was asked what carries the strands, the answer to that; `states` is empty then.
     pub supported: Option<Supported>,
+    /// The same of strands that stretch.
+    pub stretched: Option<Supported<ExtensibleState>>,
 }
 
 /// What carries the strands, and under which loads that changes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Supported {
+pub struct Supported<S = SupportedState> {
     /// Every state in which all closed contacts push, right-handed first, then by angle.
-    pub states: Vec<SupportedState>,
-    /// The loads under which neighbours and core both carry, right-handed first; empty without a core, or where touching strands
-    /// cannot lie on it.
+    pub states: Vec<S>,
+    /// The loads under which neighbours and core both carry, right-handed first; empty without a core, where touching strands
+    /// cannot lie on it, and where strands stretch.
     pub wedges: Vec<Wedge>,
     /// Where touching strands that are clear of the core part, and where strands lift off the core, under the force given; the moment is
     /// found.
@@ -60,6 +65,18 @@ impl Opening {
             angle: state.contact().angle(),
             radius_ratio: state.contact().radius_ratio(),
             load: state.load(),
+        }
+    }
+
+    /// With the load that is kept as it was given, without the rounding of its way back.
+    fn of_stretched(state: &ExtensibleState, force: Option<f64>, moment: Option<f64>) -> Self {
+        let found = state.load();
+        Self {
+            lets_go: state.support(),
+            handedness: state.handedness(),
+            angle: state.angle(),
+            radius_ratio: state.radius_ratio(),
+            load: Load { force: force.unwrap_or(found.force), moment: moment.unwrap_or(found.moment) },
         }
     }
 
@@ -123,6 +140,7 @@ impl Case {
         let mut straight = None;
         let mut other_balance = None;
         let mut supported = None;
+        let mut stretched = None;
         let states = match self.question {
             Question::States { twist, load } => {
                 straight = Some(ply.straight_holds(twist, load));
@@ -154,8 +172,12 @@ impl Case {
                 supported = Some(Supported::of(&ply, twist, ends, core_radius)?);
                 Vec::new()
             }
+            Question::Stretched { ply, twist, grips } => {
+                stretched = Some(Supported::of_stretched(&ply, twist, grips)?);
+                Vec::new()
+            }
         };
-        Ok(Solution { states, straight, other_balance, supported })
+        Ok(Solution { states, straight, other_balance, supported, stretched })
     }
 
     fn ply(&self, balance: Balance) -> Result<Ply, DomainError> {
@@ -195,6 +217,26 @@ impl Supported {
             openings_at_force: force.map_or(Ok(Vec::new()), at_force)?,
             openings_at_moment: moment.map_or(Ok(Vec::new()), at_moment)?,
         })
+    }
+}
+
+impl Supported<ExtensibleState> {
+    fn of_stretched(ply: &ExtensiblePly, twist: Twist, grips: Grips) -> Result<Self, DomainError> {
+        let supports: &[Support] =
+            if ply.core().is_some() { &[Support::Neighbours, Support::Core] } else { &[Support::Neighbours] };
+        let (mut openings_at_force, mut openings_at_moment) = (Vec::new(), Vec::new());
+        for support in supports {
+            if let Axial::Force(force) = grips.axial {
+                let parted = ply.parting_at_force(*support, twist, force)?;
+                openings_at_force.extend(parted.iter().map(|s| Opening::of_stretched(s, Some(force), None)));
+            }
+            if let Turning::Moment(moment) = grips.turning {
+                let parted = ply.parting_at_moment(*support, twist, moment)?;
+                openings_at_moment.extend(parted.iter().map(|s| Opening::of_stretched(s, None, Some(moment))));
+            }
+        }
+        let states = ply.states(twist, grips)?;
+        Ok(Self { states, wedges: Vec::new(), openings_at_force, openings_at_moment })
     }
 }
 

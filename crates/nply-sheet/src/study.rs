@@ -46,23 +46,14 @@ impl Spec {
     pub(crate) fn onward(&self, corner: &Self) -> Self {
         let mut merged = self.overridden_by(corner);
         let named = |datum| corner.get(datum).is_some();
-        let turns = |entry: &Entry| {
-            matches!(entry.key.datum, Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength)
-        };
-        let ends = |spec: &Self| spec.entries.iter().find(|entry| entry.key.group == Some(Group::Ends)).cloned();
-        // of load and displacement the one that is named last is given, and the other found
-        match (ends(corner), ends(self)) {
-            (Some(held), _) => {
-                let found = if turns(&held) { Datum::Moment } else { Datum::Force };
+        // of load and displacement, around and along, the one that is named last is given, and the other found
+        for (around, found) in [(true, Datum::Moment), (false, Datum::Force)] {
+            let holds = |entry: &Entry| entry.key.group == Some(Group::Ends) && entry.turns_ends() == around;
+            if corner.entries.iter().any(holds) {
                 merged.entries.retain(|entry| entry.key.datum != found || named(found));
+            } else if named(found) {
+                merged.entries.retain(|entry| !holds(entry));
             }
-            (None, Some(held)) => {
-                let freed = if turns(&held) { Datum::Moment } else { Datum::Force };
-                if named(freed) {
-                    merged.entries.retain(|entry| entry.key.group != Some(Group::Ends));
-                }
-            }
-            (None, None) => {}
         }
         merged
     }

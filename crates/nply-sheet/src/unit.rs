@@ -79,7 +79,7 @@ impl Symbol {
 const LBF: f64 = 44_482_216_152_605.0; // ·10⁻¹³ N, exact by definition
 const KGF: f64 = 980_665.0; // ·10⁻⁵ N, exact by definition
 
-static SYMBOLS: [Symbol; 34] = [
+static SYMBOLS: [Symbol; 35] = [
     symbol(&["m", "metre", "metres", "meter", "meters"], 1.0, 0, Dimension::LENGTH).prefixed(),
     symbol(&["Å", "\u{212b}", "angstrom", "angstroms", "Angstrom"], 1.0, -10, Dimension::LENGTH),
     symbol(&["micron", "microns"], 1.0, -6, Dimension::LENGTH),
@@ -101,6 +101,8 @@ static SYMBOLS: [Symbol; 34] = [
     symbol(&["ksi"], LBF, -2, Dimension::PRESSURE).over(64_516.0),
     symbol(&["Msi"], LBF, 1, Dimension::PRESSURE).over(64_516.0),
     symbol(&["J"], 1.0, 0, Dimension::MOMENT).prefixed(),
+    // Boltzmann's constant, exact by definition; the temperature is that of the strands
+    symbol(&["kT", "kBT"], 1_380_649.0, -29, Dimension { temperature: -1, ..Dimension::MOMENT }),
     symbol(&["rad", "radian", "radians"], 1.0, 0, Dimension::ANGLE).prefixed(),
     symbol(&["deg", "degs", "°", "degree", "degrees"], 1.0, 0, Dimension::ANGLE).over(360.0).turned(),
     symbol(&["turn", "turns", "rev", "revs", "revolution", "revolutions"], 1.0, 0, Dimension::ANGLE).turned(),

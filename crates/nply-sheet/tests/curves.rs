@@ -179,6 +179,21 @@ fn names_units_and_what_was_left_out_are_said() {
     assert_eq!(read("a.csv", b"x,y,z,radius\n0,0,0,2\n0,0,1,2\n").curves[0].diameter, Some(4.0));
 }
 
+/// Two curves that nothing stands between look like one: that is not passed over in silence.
+#[test]
+fn a_step_that_stands_out_is_pointed_out() {
+    let line = |from: f64| (0..9).map(|k| format!("{from} 0 {k}\n")).collect::<String>();
+    let joined = read("a.txt", (line(0.0) + &line(3.0)).as_bytes());
+    assert_eq!(joined.notes, ["Curve \"1\": the step behind point 9 is 9 times the usual one; are these two curves?"]);
+    assert!(read("a.txt", (line(0.0) + "\n" + &line(3.0)).as_bytes()).notes.is_empty());
+    let woven = read("a.csv", b"curve,x,y,z\na,0,0,0\nb,9,0,0\na,0,0,1\nb,9,0,1\n");
+    assert_eq!((woven.curves.len(), woven.curves[1].points[1]), (2, [9.0, 0.0, 1.0]));
+    assert!(woven.notes[0].contains("first in line 4"), "{:?}", woven.notes);
+    assert!(read("a.csv", b"curve,x,y,z\na,0,0,0\na,9,0,0\nb,0,0,1\nb,9,0,1\n").notes.is_empty());
+    let radii = read("a.csv", b"wire,node,x_r,y_r,z_r,radius_r\n1,0,0,0,0,1\n1,1,0,0,1,1\n");
+    assert_eq!((radii.unit.as_deref(), radii.curves[0].diameter), (Some("r"), Some(2.0)));
+}
+
 #[test]
 fn arrays_in_every_order_are_the_same() {
     let at = |fortran: bool| -> Vec<f64> {
@@ -290,6 +305,7 @@ fn every_mistake_is_one_sentence_with_its_place() {
         ("a.csv", b"x,y,z,diameter\n0,0,0,1\n0,0,1,2\n".to_vec(), "a.csv:3: the diameter changes"),
         ("a.csv", b"x,y,z,diameter\n0,0,0,-1\n".to_vec(), "a.csv:2:7: a diameter of -1"),
         ("a.csv", b"0,0,0\n\xc3\x28,0,0\n".to_vec(), "a.csv:2:1: this is no text in UTF-8"),
+        ("a.csv", b"0,0,0\n0,0,1e301\n".to_vec(), "a.csv: curve \"1\" has a coordinate beyond 1e300"),
         ("a.xyz", b"3\n\nC 0 0 0\n".to_vec(), "a.xyz:1: 3 points are announced here, and the file ends after 1"),
         ("a.xyz", b"99999999999999\n\nC 0 0 0\n".to_vec(), "the file ends after 1"),
         ("a.xyz", b"2\n\nC 0 0 0\nC 0 0\n".to_vec(), "a.xyz:4: \"C 0 0\" has no z"),

@@ -422,6 +422,8 @@ fn every_key_is_read_from_file_and_flag() {
             Kind::Length => "2 mm",
             Kind::Stiffness => "2 N m^2",
             Kind::Pressure => "2 MPa",
+            Kind::LinearDensity => "2 tex",
+            Kind::Density => "2 g/cm^3",
             Kind::Temperature => "2 K",
             Kind::Angle => "2 deg",
             Kind::TurnsPerLength | Kind::Twist => "2 turns/m",

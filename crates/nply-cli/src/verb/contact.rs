@@ -13,6 +13,9 @@ const LONG: &str = "\
 Prints how neighbouring strands touch at a given lay: helix radius, arclength shift, contact line, hole, curvature.
 With --strands 1 and no lay, the densest helix of a single tube.";
 
+/// What tells number and size of the strands.
+const SHAPE: [&str; 7] = ["strands", "hand", "radius", "diameter", "linear_density", "density", "packing_fraction"];
+
 pub(super) const VERB: Verb = Verb {
     name: "contact",
     about: "Geometry alone: how strands touch at a lay",
@@ -23,7 +26,7 @@ pub(super) const VERB: Verb = Verb {
 };
 
 fn arguments(command: Command) -> Command {
-    let wanted = |key: &Key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name);
+    let wanted = |key: &Key| key.table == Table::Lay || SHAPE.contains(&key.name);
     with_keys(command, wanted)
         .arg(
             Arg::new("branches")

@@ -1,17 +1,25 @@
 //! The commands of `nply`, a file each: what it takes, what it does.
 
+mod actuator;
+mod clearance;
 mod contact;
 mod figure;
+mod fit_check;
 mod lays;
+mod link;
 mod locus;
 mod map;
 mod mesh;
 mod nodes;
 mod plot;
+mod preset;
 mod render;
 mod solve;
+mod spin;
+mod stiffness;
 mod support;
 mod trace;
+mod writhe;
 
 use clap::{ArgMatches, Command};
 
@@ -32,7 +40,7 @@ struct Verb {
 }
 
 /// All, in the order of the help page.
-static VERBS: [&Verb; 12] = [
+static VERBS: &[&Verb] = &[
     &solve::VERB,
     &support::VERB,
     &trace::VERB,
@@ -41,6 +49,14 @@ static VERBS: [&Verb; 12] = [
     &locus::VERB,
     &contact::VERB,
     &lays::VERB,
+    &spin::VERB,
+    &actuator::VERB,
+    &preset::VERB,
+    &fit_check::VERB,
+    &stiffness::VERB,
+    &writhe::VERB,
+    &link::VERB,
+    &clearance::VERB,
     &mesh::VERB,
     &nodes::VERB,
     &render::VERB,
@@ -54,6 +70,7 @@ Examples:
   nply solve --strands 3 --stiffness-ratio 0.75 --pretwist -1
   nply support rope.toml --support-core-diameter \"4 mm\" --ply-length \"0.9 m\" --strand-length \"1 m\"
   nply contact --strands 6 --diameter \"2 mm\" --lay-length \"40 mm\"
+  nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb

@@ -44,6 +44,13 @@ fn arguments(command: Command) -> Command {
                 .value_parser(value_parser!(f64))
                 .help("Say where the bending strain of the outer fibre, strand radius times curvature, passes this"),
         )
+        .arg(
+            Arg::new("strain-limit")
+                .long("strain-limit")
+                .value_name("STRAIN")
+                .value_parser(value_parser!(f64))
+                .help("Say where the strain of the outermost fibre, from stretch and bending together, passes this"),
+        )
         .arg(plot())
         .arg(format())
         .arg(json())
@@ -56,6 +63,7 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         start: arguments.get_one::<u32>("start").map(|start| *start as usize),
         kept: arguments.get_flag("kept"),
         curvature_limit: arguments.get_one::<f64>("curvature-limit").copied(),
+        strain_limit: arguments.get_one::<f64>("strain-limit").copied(),
     };
     let report = input
         .spec

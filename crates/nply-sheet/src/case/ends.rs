@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use nply::mechanics::{Ends, Load};
+use nply::mechanics::{Axial, Ends, Grips, Load, Turning};
 
 use super::measure::Measure;
 use super::only_one;
@@ -27,9 +27,23 @@ enum Held {
     Extension(f64),
 }
 
+impl GivenEnds<'_> {
+    /// a·d_m, where the rotation is held.
+    pub(super) fn rotation(&self) -> Option<f64> {
+        match self.held {
+            Held::Rotation(rotation) => Some(rotation),
+            Held::Extension(_) => None,
+        }
+    }
+}
+
 /// What is held, if anything is; `strand_length` is L/r.
 pub(super) fn of<'s>(measure: &Measure<'s>, strand_length: Option<f64>) -> Result<Option<GivenEnds<'s>>, SpecError> {
     let Some(entry) = only_one(measure.spec, Group::Ends, "the way the ends are held")? else { return Ok(None) };
+    Ok(Some(GivenEnds { held: held(measure, entry, strand_length)?, entry }))
+}
+
+fn held(measure: &Measure<'_>, entry: &Entry, strand_length: Option<f64>) -> Result<Held, SpecError> {
     let given = entry.number();
     let turn = if entry.is_measured() { 1.0 } else { TAU };
     let over_length = |value: f64| measure.over_strand_length(entry, value, strand_length);
@@ -42,7 +56,56 @@ pub(super) fn of<'s>(measure: &Measure<'s>, strand_length: Option<f64>) -> Resul
     };
     let (Held::Rotation(value) | Held::Extension(value)) = held;
     entry.finite(value)?;
-    Ok(Some(GivenEnds { held, entry }))
+    Ok(held)
+}
+
+/// Along the axis and around it, each by itself: a load (0 where absent), or a displacement.
+pub(super) fn grips(
+    measure: &Measure<'_>,
+    strand_length: Option<f64>,
+    force: Option<f64>,
+    moment: Option<f64>,
+) -> Result<Grips, SpecError> {
+    let spec = measure.spec;
+    let mut grips = Grips::from(Load { force: force.unwrap_or(0.0), moment: moment.unwrap_or(0.0) });
+    let mut seen: [Option<&Entry>; 2] = [None; 2];
+    for entry in spec.entries.iter().filter(|entry| entry.key.group == Some(Group::Ends)) {
+        let held = held(measure, entry, strand_length)?;
+        let (side, found) = match held {
+            Held::Rotation(rotation) => {
+                grips.turning = Turning::Rotation(rotation);
+                (0, Datum::Moment)
+            }
+            Held::Extension(extension) => {
+                grips.axial = Axial::Extension(extension);
+                (1, Datum::Force)
+            }
+        };
+        if let Some(first) = seen[side].replace(entry) {
+            let message =
+                format!("{} and {} both hold the ends in one way: remove one of them", first.said(), entry.said());
+            return Err(entry.error(ErrorKind::Contradiction, message));
+        }
+        if let Some(given) = spec.get(found) {
+            return Err(found_already(entry, given, held));
+        }
+    }
+    Ok(grips)
+}
+
+/// A load is given on the side on which a displacement is held.
+fn found_already(entry: &Entry, given: &Entry, held: Held) -> SpecError {
+    let held_so = match held {
+        Held::Rotation(_) => "ends that cannot turn",
+        Held::Extension(_) => "ends held at a distance",
+    };
+    let message = format!(
+        "{} and {} cannot both be given: {held_so} take whatever {} they need, and that is found; remove one of them",
+        entry.said(),
+        given.said(),
+        given.key.name,
+    );
+    given.error(ErrorKind::Contradiction, message)
 }
 
 /// What is given at the ends: dead loads (0 where absent), or a displacement and the load that does no work on it.
@@ -55,24 +118,11 @@ pub(super) fn with_loads(
     let Some(GivenEnds { held, entry }) = ends else {
         return Ok(Ends::Loads(Load { force: force.unwrap_or(0.0), moment: moment.unwrap_or(0.0) }));
     };
-    let (found, held_so, ends) = match held {
-        Held::Rotation(rotation) => {
-            let ends = Ends::Rotation { rotation, force: force.unwrap_or(0.0) };
-            (Datum::Moment, "ends that cannot turn", ends)
-        }
-        Held::Extension(extension) => {
-            let ends = Ends::Length { extension, moment: moment.unwrap_or(0.0) };
-            (Datum::Force, "ends held at a distance", ends)
-        }
+    let (found, ends) = match held {
+        Held::Rotation(rotation) => (Datum::Moment, Ends::Rotation { rotation, force: force.unwrap_or(0.0) }),
+        Held::Extension(extension) => (Datum::Force, Ends::Length { extension, moment: moment.unwrap_or(0.0) }),
     };
-    let Some(given) = spec.get(found) else { return Ok(ends) };
-    let message = format!(
-        "{} and {} cannot both be given: {held_so} take whatever {} they need, and that is found; remove one of them",
-        entry.said(),
-        given.said(),
-        given.key.name,
-    );
-    Err(given.error(ErrorKind::Contradiction, message))
+    spec.get(found).map_or(Ok(ends), |given| Err(found_already(entry, given, held)))
 }
 
 /// A rotation r·rad per strand length in the way in which a datum was written, rounded towards zero, as `12.3 turns`; `radius` is r

@@ -5,9 +5,9 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use nply::Handedness;
 
 use super::measure::Measure;
-use super::{Lay, only_one};
+use super::{Lay, helix, only_one};
 use crate::key::Group;
-use crate::spec::{Entry, Value};
+use crate::spec::{Entry, Spec, Value};
 use crate::{Datum, ErrorKind, SpecError};
 
 /// A lay, the hand if one is given, and the datum that gave the lay.
@@ -18,13 +18,20 @@ pub(super) struct GivenLay<'s> {
     pub(super) entry: &'s Entry,
 }
 
+/// Whether a lay is given at all.
+pub(super) fn is_given(spec: &Spec) -> bool {
+    spec.entries.iter().any(|entry| entry.key.group == Some(Group::Lay)) || spec.get(Datum::HelixRadius).is_some()
+}
+
 /// The lay, if one is given.
 pub(super) fn of<'s>(measure: &Measure<'s>) -> Result<Option<GivenLay<'s>>, SpecError> {
     let hand = match measure.spec.get(Datum::Hand) {
         Some(entry @ Entry { value: Value::Hand(hand), .. }) => Some((*hand, entry)),
         _ => None,
     };
-    let Some(entry) = only_one(measure.spec, Group::Lay, "the lay of the ply")? else {
+    let other = only_one(measure.spec, Group::Lay, "the lay of the ply")?;
+    helix::check(measure.spec, other)?;
+    let Some(entry) = other.or_else(|| measure.spec.get(Datum::HelixRadius)) else {
         return match hand {
             Some((_, entry)) => {
                 let message = format!(
@@ -79,6 +86,7 @@ pub(super) fn of<'s>(measure: &Measure<'s>) -> Result<Option<GivenLay<'s>>, Spec
         Datum::LayRatio => Lay::LayRatio(positive(given)?),
         Datum::CoreRadius => Lay::RadiusRatio(1.0 + entry.positive(measure.dimensionless(entry)?)?),
         Datum::CoreDiameter => Lay::RadiusRatio(1.0 + entry.positive(measure.dimensionless(entry)?)? / 2.0),
+        Datum::HelixRadius => Lay::RadiusRatio(entry.positive(measure.dimensionless(entry)?)?),
         _ => Lay::RadiusRatio(entry.positive(given)?),
     };
     Ok(Some(GivenLay { lay, hand: winds, entry }))

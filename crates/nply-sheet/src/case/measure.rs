@@ -43,7 +43,7 @@ impl Measure<'_> {
     }
 
     /// A unit was written, but the strand has none to measure it by.
-    fn no_measure(&self, entry: &Entry) -> SpecError {
+    pub(super) fn no_measure(&self, entry: &Entry) -> SpecError {
         let ask = |datum| self.spec.ask_for(datum);
         let (missing, bare) = match entry.key.kind {
             Kind::Length => (ask(Datum::Radius), "in strand radii"),

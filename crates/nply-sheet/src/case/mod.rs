@@ -1,15 +1,21 @@
 //! One ply, dimensionless, and the one question asked about it.
 
 mod ends;
+mod fibre;
+mod helix;
 mod lay;
 mod measure;
 mod origin;
+mod plying;
 mod question;
+mod relative;
 mod strand;
+mod stretch;
+mod strings;
 mod support;
 mod twist;
 
-use nply::mechanics::{Balance, Ends, Load, Twist};
+use nply::mechanics::{Balance, Ends, ExtensiblePly, Grips, Load, Twist};
 use nply::{DomainError, Handedness, Scale};
 
 use lay::GivenLay;
@@ -18,6 +24,9 @@ use origin::Origins;
 
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
+pub(crate) use relative::any_thermal;
+pub use strings::{StringStiffness, Strings};
+
 use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
 
 /// A ply in which everything is known that the theory needs; lengths over r, forces over B/r², moments over B/r.
@@ -56,6 +65,8 @@ pub struct Case {
     pub strand_radius: Option<f64>,
     /// L/r, where the strand length is given.
     pub strand_length: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -133,6 +144,15 @@ pub enum Question {
         /// Core radius over r, if there is a core.
         core_radius: Option<f64>,
     },
+    /// The same of strands that stretch.
+    Stretched {
+        /// The strands, their core and the lay in which they were made.
+        ply: ExtensiblePly,
+        /// The twist given.
+        twist: Twist,
+        /// A load or a displacement along and around.
+        grips: Grips,
+    },
 }
 
 /// The shape of a ply, in one of the ways in which it is measured.
@@ -154,20 +174,28 @@ pub enum Lay {
 impl Case {
     /// With the question what carries the strands, if `supports` asks for it or a core is given.
     pub(crate) fn of(spec: &Spec, supports: bool) -> Result<Self, SpecError> {
+        let spec = relative::resolved(spec)?;
+        let spec = spec.as_ref();
         let strands = strands(spec, 2)?;
         let strand = strand::Strand::of(spec)?;
         let measure = strand.measure(spec);
         let strand_length = measure.strand_length()?;
         let twist = twist::of(&measure, strand_length)?;
         let lay = lay::of(&measure)?;
-        let ends = ends::of(&measure, strand_length)?;
-        let support = support::of(&measure, supports)?;
+        let stretches = spec.stretches();
+        let support = support::of(&measure, supports || stretches)?;
         let balance = match spec.get(Datum::Balance) {
             Some(Entry { value: Value::Balance(balance), .. }) => *balance,
             _ => Balance::default(),
         };
         let external_pressure = question::external_pressure(&measure, balance)?;
-        let question = question::of(&measure, twist, lay, ends, support)?;
+        let question = if stretches {
+            let ply = stretch::of(&measure, strands, strand.stiffness_ratio, support)?;
+            question::stretched(&measure, ply, twist, lay, support, strand_length)?
+        } else {
+            stretch::none(spec)?;
+            question::of(&measure, twist, lay, ends::of(&measure, strand_length)?, support)?
+        };
         let title = match spec.get(Datum::Title) {
             Some(Entry { value: Value::Text(title), .. }) => Some(title.clone()),
             _ => None,
@@ -182,6 +210,7 @@ impl Case {
             scale: strand.scale,
             strand_radius: strand.radius,
             strand_length,
+            packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),
             origins: Origins::of(spec),
         })
@@ -206,6 +235,11 @@ impl Case {
     /// Whether a datum was given, and not taken to be 0.
     pub(crate) fn gives(&self, datum: Datum) -> bool {
         self.origins.give(datum)
+    }
+
+    /// A refusal of what no ply let go can be, at a datum or at any of its group.
+    pub(crate) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
+        self.origins.refuse_domain(datum, why)
     }
 
     /// A refusal of what goes with no study, at the first datum of those wanted, whose words begin the message.
@@ -234,6 +268,8 @@ pub struct Shape {
     pub hand: Option<Handedness>,
     /// r in m, where it is given.
     pub strand_radius: Option<f64>,
+    /// Share of a strand's cross-section that is fibre, where its titre gives its size.
+    pub packing_fraction: Option<f64>,
     /// The units the input was written in.
     pub units: PreferredUnits,
     origins: Origins,
@@ -267,7 +303,8 @@ impl Shape {
             }
         };
         let units = PreferredUnits::of(spec);
-        Ok(Self { strands, lay, hand, strand_radius: radius, units, origins: Origins::of(spec) })
+        let packing_fraction = fibre::given_packing(spec)?;
+        Ok(Self { strands, lay, hand, strand_radius: radius, packing_fraction, units, origins: Origins::of(spec) })
     }
 
     /// As [`Case::locate`].
@@ -319,7 +356,7 @@ pub(crate) fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
 
 impl Entry {
     /// The number of a datum, in SI or bare; NaN for one that is no number (its kind rules that out).
-    fn number(&self) -> f64 {
+    pub(crate) fn number(&self) -> f64 {
         match &self.value {
             Value::Quantity(quantity) => quantity.si(),
             _ => f64::NAN,
@@ -327,7 +364,7 @@ impl Entry {
     }
 
     /// Whether it was written with a unit.
-    fn is_measured(&self) -> bool {
+    pub(crate) fn is_measured(&self) -> bool {
         matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
     }
 
@@ -337,7 +374,7 @@ impl Entry {
     }
 
     /// The value, if it is greater than zero and finite.
-    fn positive(&self, value: f64) -> Result<f64, SpecError> {
+    pub(crate) fn positive(&self, value: f64) -> Result<f64, SpecError> {
         if value > 0.0 && value < f64::INFINITY {
             return Ok(value);
         }
@@ -346,7 +383,7 @@ impl Entry {
     }
 
     /// The value, if it is finite still after it was made dimensionless.
-    fn finite(&self, value: f64) -> Result<f64, SpecError> {
+    pub(crate) fn finite(&self, value: f64) -> Result<f64, SpecError> {
         if value.is_finite() {
             return Ok(value);
         }

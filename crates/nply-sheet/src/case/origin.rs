@@ -39,7 +39,7 @@ impl Origins {
             "core_radius" => in_group(Group::Support),
             "helical_angle" | "pitch_angle" | "lay_length" | "lay_ratio" | "radius_ratio" | "turns_per_length" => {
                 // the angle may be that of ends that are held
-                in_group(Group::Lay).or_else(|| in_group(Group::Ends))
+                in_group(Group::Lay).or_else(|| named(Datum::HelixRadius)).or_else(|| in_group(Group::Ends))
             }
             _ => None,
         };
@@ -60,6 +60,16 @@ impl Origins {
             format!("{said} is {quantity} = {}{unit}, and no ply has it: it must be {allowed}", short(value))
         };
         entry.error(ErrorKind::Domain, message)
+    }
+
+    /// A refusal said at a datum, at another of its group, or at the head of the input.
+    pub(super) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
+        let group = crate::Key::of(datum).and_then(|key| key.group);
+        let of = |entry: &&Entry| entry.key.datum == datum || (group.is_some() && entry.key.group == group);
+        match self.entries.iter().find(of) {
+            Some(entry) => entry.error(ErrorKind::Domain, format!("{}: {why}", entry.said())),
+            None => SpecError::new(ErrorKind::Domain, self.head.clone(), why),
+        }
     }
 
     /// Whether a datum was given, and not taken to be 0.

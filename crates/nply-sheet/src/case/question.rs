@@ -1,6 +1,6 @@
 //! What is asked: whatever of twist, force, moment and shape is not given.
 
-use nply::mechanics::{Balance, Load, Twist};
+use nply::mechanics::{Balance, ExtensiblePly, Load, Twist};
 
 use super::Question;
 use super::ends::{self, GivenEnds};
@@ -19,21 +19,8 @@ pub(super) fn of(
     support: Option<GivenSupport<'_>>,
 ) -> Result<Question, SpecError> {
     let spec = measure.spec;
-    let load = |datum| spec.get(datum).map(|entry| measure.dimensionless(entry)).transpose();
-    let force = load(Datum::Force)?;
-    let moment = load(Datum::Moment)?;
-    let twist_missing = |or: &str| {
-        let message = format!(
-            "the twist is missing: give {}, or {}, {}, {}, {} or {}{or}",
-            spec.ask_for(Datum::Pretwist),
-            spec.call(Datum::SurfaceAngle),
-            spec.call(Datum::TurnsPerLength),
-            spec.call(Datum::Turns),
-            spec.call(Datum::EndRotation),
-            spec.call(Datum::StrandTwist),
-        );
-        spec.missing(Datum::Pretwist, message)
-    };
+    let [force, moment] = loads(measure)?;
+    let twist_missing = |or: &str| twist_missing(measure, or);
     if let Some(support) = support {
         support.check(measure, lay)?;
         let ends = ends::with_loads(spec, ends, force, moment)?;
@@ -90,6 +77,43 @@ pub(super) fn of(
             Err(spec.missing(datum, message))
         }
     }
+}
+
+/// The states of strands that stretch.
+pub(super) fn stretched(
+    measure: &Measure<'_>,
+    ply: ExtensiblePly,
+    twist: Option<Twist>,
+    lay: Option<GivenLay<'_>>,
+    support: Option<GivenSupport<'_>>,
+    strand_length: Option<f64>,
+) -> Result<Question, SpecError> {
+    if let Some(support) = support {
+        support.check(measure, lay)?;
+    }
+    let [force, moment] = loads(measure)?;
+    let grips = ends::grips(measure, strand_length, force, moment)?;
+    Ok(Question::Stretched { ply, twist: twist.ok_or_else(|| twist_missing(measure, ""))?, grips })
+}
+
+/// Force and moment, where they are given.
+fn loads(measure: &Measure<'_>) -> Result<[Option<f64>; 2], SpecError> {
+    let load = |datum| measure.spec.get(datum).map(|entry| measure.dimensionless(entry)).transpose();
+    Ok([load(Datum::Force)?, load(Datum::Moment)?])
+}
+
+fn twist_missing(measure: &Measure<'_>, or: &str) -> SpecError {
+    let spec = measure.spec;
+    let message = format!(
+        "the twist is missing: give {}, or {}, {}, {}, {} or {}{or}",
+        spec.ask_for(Datum::Pretwist),
+        spec.call(Datum::SurfaceAngle),
+        spec.call(Datum::TurnsPerLength),
+        spec.call(Datum::Turns),
+        spec.call(Datum::EndRotation),
+        spec.call(Datum::StrandTwist),
+    );
+    spec.missing(Datum::Pretwist, message)
 }
 
 /// What cannot be given beside ends that are held.

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use nply::Scale;
 
 use super::measure::Measure;
-use super::only_one;
+use super::{fibre, helix, only_one};
 use crate::key::Group;
 use crate::spec::{Entry, Spec};
 use crate::{Datum, ErrorKind, SpecError};
@@ -28,9 +28,11 @@ impl Strand {
         let radius = radius(spec)?;
         let bending_entry = only_one(spec, Group::Bending, "the bending stiffness of the strand")?;
         let torsion_entry = only_one(spec, Group::Torsion, "the torsional stiffness of the strand")?;
-        if let (Some(temperature), false) = (spec.get(Datum::Temperature), any_persistence(spec)) {
+        if let (Some(temperature), false) =
+            (spec.get(Datum::Temperature), any_persistence(spec) || super::relative::any_thermal(spec))
+        {
             let message = format!(
-                "a temperature is of use only with persistence lengths: remove it, or give {}",
+                "a temperature is of use only with persistence lengths and kT: remove it, or give {}",
                 spec.call(Datum::BendingPersistenceLength)
             );
             return Err(temperature.error(ErrorKind::Contradiction, message));
@@ -72,7 +74,10 @@ fn any_persistence(spec: &Spec) -> bool {
 
 /// r in m, if it is given.
 pub(super) fn radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
-    let Some(entry) = only_one(spec, Group::Size, "the size of the strand")? else { return Ok(None) };
+    let Some(entry) = only_one(spec, Group::Size, "the size of the strand")? else {
+        return fibre::radius(spec)?.map_or_else(|| helix::strand_radius(spec), |radius| Ok(Some(radius)));
+    };
+    fibre::refuse_beside(spec, entry)?;
     if !entry.is_measured() {
         let message = format!(
             "{} has no unit: write it as in \"0.5 mm\", or remove it where all is dimensionless (lengths are in strand radii then)",
@@ -94,7 +99,12 @@ fn thermal_energy(spec: &Spec, asks: &Entry) -> Result<f64, SpecError> {
         );
         return Err(spec.missing(Datum::Temperature, message));
     };
-    Ok(BOLTZMANN * entry.positive(entry.number())?)
+    Ok(BOLTZMANN * absolute(entry)?)
+}
+
+/// T in K.
+pub(super) fn absolute(entry: &Entry) -> Result<f64, SpecError> {
+    entry.positive(entry.number())
 }
 
 /// A persistence length in m.

@@ -31,6 +31,9 @@ impl GivenSupport<'_> {
     pub(super) fn check(self, measure: &Measure<'_>, lay: Option<GivenLay<'_>>) -> Result<(), SpecError> {
         let contradicts = |entry: &Entry, message: String| Err(entry.error(ErrorKind::Contradiction, message));
         let remove = match self.entry {
+            _ if measure.spec.stretches() => {
+                format!("remove it, or remove {}, which asks for that", measure.spec.call(Datum::Stretch))
+            }
             Some(own) => format!("remove it, or remove {} in [support]", own.said()),
             None => "remove it, or ask `nply solve`".to_owned(),
         };

@@ -21,6 +21,7 @@ mod obj;
 mod pdb;
 mod rows;
 mod scalar;
+mod set;
 mod text;
 mod vtk;
 mod vtk_xml;
@@ -33,8 +34,10 @@ use nply::geometry::Vector;
 
 pub use error::{ReadError, Spot};
 pub use format::Format;
+pub use set::{Closing, CurveSet, Member};
 
-use text::{Source, counted};
+use text::Source;
+pub(crate) use text::counted;
 
 /// One curve as it was read: a polyline.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,7 +140,17 @@ impl Curves {
             Format::Npy => npy::read(&source),
         }?;
         let curves = finish(&source, found.drafts)?;
-        Ok(Self { format, curves, unit: found.unit, notes: found.notes })
+        let mut notes = found.notes;
+        notes.extend(curves.iter().find_map(|curve| Some((curve, leap(&curve.points)?))).map(
+            |(curve, (point, times))| {
+                format!(
+                    "Curve {}: the step behind point {} is {times:.0} times the usual one; are these two curves?",
+                    crate::quoted(&curve.name),
+                    point + 1
+                )
+            },
+        ));
+        Ok(Self { format, curves, unit: found.unit, notes })
     }
 
     /// The number of points of all curves together.
@@ -145,6 +158,28 @@ impl Curves {
     pub fn points(&self) -> usize {
         self.curves.iter().map(|curve| curve.points.len()).sum()
     }
+}
+
+/// Squares and products of coordinates are formed, after scaling; this leaves room for differences.
+const FARTHEST: f64 = 1e300;
+
+/// A step that stands out from a curve's evenly spaced others as one between two curves would: the point before it, counted from 0, and how many
+/// times the median it is.
+fn leap(points: &[Vector]) -> Option<(usize, f64)> {
+    const OUTSTANDING: f64 = 8.0;
+    const ENOUGH: usize = 6;
+    let step = |pair: &[Vector]| {
+        let [x, y, z] = [0, 1, 2].map(|k| pair[1][k] - pair[0][k]);
+        libm::hypot(libm::hypot(x, y), z)
+    };
+    let steps: Vec<f64> = points.windows(2).map(step).collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let (median, wide) = (sorted.get(sorted.len() / 2)?, sorted.get(sorted.len() * 9 / 10)?);
+    // curves that are sampled unevenly throughout have steps of all sizes
+    let even = *wide < 2.0 * median && steps.len() >= ENOUGH;
+    let at = steps.iter().position(|step| *step > OUTSTANDING * median).filter(|_| even)?;
+    Some((at, steps[at] / median))
 }
 
 /// Names are made unique, and curves of one point are refused.
@@ -163,6 +198,13 @@ fn finish(source: &Source<'_>, drafts: Vec<Draft>) -> Result<Vec<Polyline>, Read
                 Some(line) => source.at_line(line, message),
                 None => source.whole(message),
             });
+        }
+        if draft.points.iter().flatten().any(|x| x.abs() > FARTHEST) {
+            let message = format!(
+                "curve {} has a coordinate beyond {FARTHEST:e}, which cannot be calculated with",
+                crate::quoted(&named)
+            );
+            return Err(source.whole(message));
         }
         let mut name = named.clone();
         while let Some(times) = taken.get_mut(&name) {

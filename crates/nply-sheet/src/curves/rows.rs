@@ -35,6 +35,8 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
     let mut reader = Reader { source, separator: None, layout: None, header: None, remark: None, apart: true };
     let mut found = Found::default();
     let mut named: BTreeMap<String, usize> = BTreeMap::new();
+    let mut last = 0;
+    let mut scattered = None;
     for line in source.lines() {
         let text = source.text(line)?;
         let content = text.trim();
@@ -62,6 +64,10 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
             None if reader.apart => found.drafts.len(),
             None => found.drafts.len() - 1,
         };
+        if row.name.is_some() && at != last && at < found.drafts.len() && scattered.is_none() {
+            scattered = Some(line.number);
+        }
+        last = at;
         reader.apart = false;
         if at == found.drafts.len() {
             found.drafts.push(Draft {
@@ -76,6 +82,11 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
             return Err(source.at_line(line.number, "the diameter changes along the curve; one a curve is wanted"));
         }
         draft.points.push(row.point);
+    }
+    if let Some(line) = scattered {
+        found.notes.push(format!(
+            "Rows of a curve do not stand together, first in line {line}: those of one name are joined in the file's order."
+        ));
     }
     if found.drafts.is_empty() {
         return Err(source.whole("it has no row of numbers x y z"));
@@ -298,6 +309,9 @@ impl Layout {
 /// A column's name in small letters, and its unit of length: `x [mm]`, `x (mm)` and `x_mm` are x in mm.
 fn head(name: &str) -> (String, Option<String>) {
     let length = |text: &str| {
+        if text == "r" {
+            return Some(text.to_owned()); // strand radii
+        }
         let unit = Unit::parse(text).ok().filter(|unit| unit.dimension() == Dimension::LENGTH)?;
         Some(unit.to_string())
     };

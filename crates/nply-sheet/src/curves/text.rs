@@ -102,7 +102,7 @@ pub(super) fn starts_with_word(line: &[u8], word: &str) -> bool {
 }
 
 /// "1 point", "3 points".
-pub(super) fn counted(number: usize, one: &str) -> String {
+pub(crate) fn counted(number: usize, one: &str) -> String {
     format!("{number} {one}{}", if number == 1 { "" } else { "s" })
 }
 

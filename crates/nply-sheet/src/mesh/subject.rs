@@ -51,7 +51,7 @@ impl Subject {
     /// let flags = [("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-1")];
     /// let ply = Subject::of(&Spec::from_flags(flags)?, None)?;
     /// assert!((ply.angle.degrees() - 30.613).abs() < 1e-3);
-    /// assert_eq!(ply.state, Some((1, 1)));
+    /// assert_eq!(ply.state, Some((1, 2)));
     /// # Ok::<(), nply_sheet::SpecError>(())
     /// ```
     pub fn of(spec: &Spec, state: Option<usize>) -> Result<Self, SpecError> {

@@ -31,7 +31,7 @@ impl Grid {
         let scalar = |name: &str| Field { name: name.to_owned(), components: 1, values: Vec::new() };
         let mut points = Vec::new();
         let mut normals = Field { components: 3, ..scalar("Normals") };
-        let [mut arclength, mut alpha, mut beta] = ["arclength", "section_angle", "material_angle"].map(scalar);
+        let [mut arclength, mut alpha, mut mu] = ["arclength", "section_angle", "material_angle"].map(scalar);
         let (mut strand, mut stripe) = (scalar("strand"), scalar("stripe"));
         let mut triangles = Vec::new();
         let count = |points: &Vec<[f64; 3]>| u32::try_from(points.len()).unwrap_or(u32::MAX);
@@ -57,8 +57,8 @@ impl Grid {
             normals.values.extend(part.mesh.normals.iter().flatten());
             let per_t = unit.per_radius;
             arclength.values.extend(part.mesh.parameters.iter().map(|[t, _]| t * per_t));
-            alpha.values.extend(part.mesh.parameters.iter().map(|[t, b]| part.wire.tube.material_angle(*t, *b)));
-            beta.values.extend(part.mesh.parameters.iter().map(|[_, b]| *b));
+            alpha.values.extend(part.mesh.parameters.iter().map(|[t, b]| part.wire.tube.section_angle(*t, *b)));
+            mu.values.extend(part.mesh.parameters.iter().map(|[_, b]| *b));
             triangles.extend(part.mesh.triangles.iter().map(|t| t.map(|i| first + i)));
             let core = part.wire.values.is_empty() && part.wire.name == "core";
             let cells = part.mesh.triangles.len();
@@ -76,11 +76,11 @@ impl Grid {
         }
         points.extend(&line_points);
         normals.values.resize(3 * points.len(), 0.0);
-        for scalar in [&mut arclength, &mut alpha, &mut beta] {
+        for scalar in [&mut arclength, &mut alpha, &mut mu] {
             scalar.values.resize(points.len(), f64::NAN);
         }
         let cell_fields = [strand, stripe].into_iter().chain(cell_values).collect();
-        Self { points, lines, triangles, point_fields: vec![normals, arclength, alpha, beta], cell_fields }
+        Self { points, lines, triangles, point_fields: vec![normals, arclength, alpha, mu], cell_fields }
     }
 }
 

@@ -23,8 +23,8 @@ pub(super) struct Spot {
     pub(super) wire: usize,
     /// The outward normal.
     pub(super) normal: Vector,
-    /// The material line β there, rad.
-    pub(super) beta: f64,
+    /// The material line μ there, rad.
+    pub(super) mu: f64,
     /// On the cut across an end.
     pub(super) on_end: bool,
 }
@@ -75,7 +75,7 @@ impl<'a> Body<'a> {
     }
 
     /// How far a point is from the wires' surfaces, as if they had no ends; negative inside.
-    fn from_surface(&self, point: Vector) -> f64 {
+    fn outside_by(&self, point: Vector) -> f64 {
         let off_axis = libm::hypot(point[0], point[1]);
         let mut least = f64::INFINITY;
         for ring in &self.rings {
@@ -88,15 +88,13 @@ impl<'a> Body<'a> {
         least
     }
 
-    /// How far a point is from the body at least, ends included; 0 or less inside.
+    /// How far a point is from the body, ends included; 0 or less inside. Beyond an end it is near enough for shadows.
     pub(super) fn distance(&self, point: Vector) -> f64 {
+        const FAR: f64 = 12.0;
         let beyond = (self.low - point[2]).max(point[2] - self.high);
-        // far off the enclosing cylinder is near enough to the truth
         let around = libm::hypot(point[0], point[1]) - self.reach;
-        if around > 2.0 || beyond > 2.0 {
-            return around.max(beyond);
-        }
-        self.from_surface(point).max(beyond)
+        let surface = if around > FAR { around } else { self.outside_by(point) };
+        if surface > 0.0 && beyond > 0.0 { libm::hypot(surface, beyond) } else { surface.max(beyond) }
     }
 
     /// Where a ray first meets the body, and what is there.
@@ -106,7 +104,7 @@ impl<'a> Body<'a> {
         let (mut far, end, through_plane) = self.span(ray)?;
         if through_plane {
             let point = ray.at(far);
-            if self.from_surface(point) < 0.0 {
+            if self.outside_by(point) < 0.0 {
                 let (_, mut spot) = self.spot(point);
                 spot.normal = [0.0, 0.0, if ray.along[2] > 0.0 { -1.0 } else { 1.0 }];
                 spot.on_end = true;
@@ -114,7 +112,7 @@ impl<'a> Body<'a> {
             }
         }
         for _ in 0..STEPS {
-            let step = self.from_surface(ray.at(far));
+            let step = self.outside_by(ray.at(far));
             if step < NEAR {
                 return Some((far, self.spot(ray.at(far)).1));
             }
@@ -171,10 +169,10 @@ impl<'a> Body<'a> {
             let alpha = libm::atan2(dot(foot.inward), dot(foot.binormal));
             let [cos, sin] = ring.turns[place];
             let normal = [cos * out[0] - sin * out[1], sin * out[0] + cos * out[1], out[2]];
-            let beta = alpha + ring.first.twist() * t;
-            best = Some((off, Spot { wire: ring.wires[place], normal, beta, on_end: false }));
+            let mu = alpha + ring.first.twist() * t;
+            best = Some((off, Spot { wire: ring.wires[place], normal, mu, on_end: false }));
         }
-        best.unwrap_or((f64::INFINITY, Spot { wire: 0, normal: [0.0, 0.0, 1.0], beta: 0.0, on_end: false }))
+        best.unwrap_or((f64::INFINITY, Spot { wire: 0, normal: [0.0, 0.0, 1.0], mu: 0.0, on_end: false }))
     }
 }
 

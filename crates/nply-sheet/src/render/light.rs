@@ -2,10 +2,14 @@
 
 use nply::geometry::Vector;
 
-/// Towards the lamp, in the picture's frame: right, up, towards the eye. From the upper left.
+/// Towards the lamp, in the picture's frame: right, up, towards the eye. From the upper left, along the ply's flank.
 const LAMP: Vector = [-0.452, 0.652, 0.609];
-/// How wide the lamp is: the larger, the harder its shadows.
-const HARDNESS: f64 = 7.0;
+/// Towards a weaker lamp, which throws no shadow: from the right, where the near end looks.
+const FILL: Vector = [0.728, 0.243, 0.641];
+/// How small the lamp is: the larger, the harder the shadows on the ply itself.
+pub(super) const HARD: f64 = 7.0;
+/// The same of the shadow on what is behind.
+pub(super) const SOFT: f64 = 2.2;
 
 /// What is known of a surface where it is to be coloured; vectors in the picture's frame.
 pub(super) struct Surface {
@@ -28,7 +32,13 @@ pub(super) fn dot(a: Vector, b: Vector) -> f64 {
 
 /// What reaches a place on a surface, by the distances found on the way: the narrower the gap the lamp's ray passes, the less comes through,
 /// and the nearer other surfaces are along the normal, the less of the sky is seen.
-pub(super) fn reach(distance: impl Fn(Vector) -> f64, place: Vector, normal: Vector, largest: f64) -> Reach {
+pub(super) fn reach(
+    distance: impl Fn(Vector) -> f64,
+    place: Vector,
+    normal: Vector,
+    largest: f64,
+    hardness: f64,
+) -> Reach {
     const STEPS: u32 = 48;
     const TAPS: u32 = 6;
     let off = |start: Vector, way: Vector, far: f64| -> Vector { core::array::from_fn(|i| start[i] + far * way[i]) };
@@ -40,7 +50,7 @@ pub(super) fn reach(distance: impl Fn(Vector) -> f64, place: Vector, normal: Vec
             break;
         }
         let gap = distance(off(off(place, normal, 0.01), LAMP, far));
-        lamp = lamp.min(HARDNESS * gap / far + 0.02);
+        lamp = lamp.min(hardness * gap / far + 0.02);
         far += gap.clamp(0.05, 2.0);
     }
     let (mut hidden, mut weight) = (0.0, 1.0);
@@ -62,6 +72,7 @@ pub(super) fn shown(surface: &Surface, reach: Reach) -> Vector {
     const FLOOR: Vector = [1.0, 0.95, 0.88];
     let n = surface.normal;
     let lit = dot(n, LAMP).max(0.0) * reach.lamp;
+    let fill = if surface.glossy { 0.30 } else { 0.75 } * dot(n, FILL).max(0.0) * reach.sky;
     let up = 0.5 + 0.5 * n[1];
     // half way between lamp and eye
     let half: Vector = {
@@ -74,8 +85,8 @@ pub(super) fn shown(surface: &Surface, reach: Reach) -> Vector {
     let edge = 1.0 - n[2].max(0.0);
     let rim = if surface.glossy { 0.10 * edge * edge * edge * reach.sky } else { 0.0 };
     core::array::from_fn(|i| {
-        let ambient = reach.sky * (0.44 * SKY[i] * up + 0.22 * FLOOR[i] * (1.0 - up));
-        surface.colour[i] * (0.86 * LAMP_COLOUR[i] * lit + ambient) + shine * LAMP_COLOUR[i] + rim * SKY[i]
+        let ambient = reach.sky * (0.40 * SKY[i] * up + 0.20 * FLOOR[i] * (1.0 - up));
+        surface.colour[i] * (0.84 * LAMP_COLOUR[i] * lit + fill + ambient) + shine * LAMP_COLOUR[i] + rim * SKY[i]
     })
 }
 

@@ -3,7 +3,7 @@
 use nply::geometry::Vector;
 
 use super::body::{Body, Ray, Spot};
-use super::light::{Reach, Surface, byte, dot, linear, reach, shown};
+use super::light::{HARD, Reach, SOFT, Surface, byte, dot, linear, reach, shown};
 use crate::mesh::Assembly;
 
 /// What is behind the ply.
@@ -96,8 +96,11 @@ struct Seen {
     place: Vector,
 }
 
+/// A wire of a body, or its cut end.
+type Face = (usize, usize, bool);
+
 /// How much a shadow darkens what is behind.
-const SHADOW: f64 = 0.55;
+const SHADOW: f64 = 0.36;
 /// The finest picture.
 const LARGEST: u32 = 16_384;
 
@@ -143,7 +146,7 @@ impl<'a> Picture<'a> {
             None => {
                 let pixel = size(0) / width;
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-                let height = libm::ceil(size(1) / pixel).clamp(0.0, f64::from(u32::MAX)) as u32;
+                let height = libm::ceil(size(1) / pixel).clamp(16.0, f64::from(u32::MAX)) as u32;
                 (pixel, height)
             }
         };
@@ -153,7 +156,7 @@ impl<'a> Picture<'a> {
         let centre = [0, 1].map(|i| 0.5 * (limits[i][0] + limits[i][1]));
         let reach = bodies.iter().map(|placed| placed.body.reach).fold(0.0, f64::max);
         let farthest = limits.iter().map(|[low, high]| high - low).sum::<f64>() + 10.0;
-        Ok(Self { bodies, frame, view, height, pixel, centre, back: limits[2][0] - 0.4 * reach, farthest })
+        Ok(Self { bodies, frame, view, height, pixel, centre, back: limits[2][0] - 0.1 * reach, farthest })
     }
 
     /// Pixels across.
@@ -213,7 +216,7 @@ impl<'a> Picture<'a> {
             seen = sixteen.collect();
         }
         // what of the light reaches a surface is found once for each that is seen
-        let mut known: Vec<(Option<(usize, usize, bool)>, Reach)> = Vec::new();
+        let mut known: Vec<(Option<Face>, Reach)> = Vec::new();
         let mut sum = [0.0; 4];
         for (found, place) in &seen {
             let surface = found.as_ref().map(|seen| (seen.body, seen.spot.wire, seen.spot.on_end));
@@ -272,9 +275,9 @@ impl<'a> Picture<'a> {
 
     fn reached(&self, seen: Option<&Seen>, [right, up]: [f64; 2]) -> Reach {
         match seen {
-            Some(seen) => reach(|point| self.distance(point), seen.place, self.normal(seen), self.farthest),
+            Some(seen) => reach(|point| self.distance(point), seen.place, self.normal(seen), self.farthest, HARD),
             None if self.view.shadow => {
-                reach(|point| self.distance(point), [right, up, self.back], [0.0, 0.0, 1.0], self.farthest)
+                reach(|point| self.distance(point), [right, up, self.back], [0.0, 0.0, 1.0], self.farthest, SOFT)
             }
             None => Reach { lamp: 1.0, sky: 1.0 },
         }
@@ -286,7 +289,7 @@ impl<'a> Picture<'a> {
         if wire.stripes == 0 || seen.spot.on_end {
             return false;
         }
-        let share = seen.spot.beta / core::f64::consts::TAU * f64::from(wire.stripes);
+        let share = seen.spot.mu / core::f64::consts::TAU * f64::from(wire.stripes);
         share - libm::floor(share) < 0.25
     }
 
@@ -305,7 +308,7 @@ impl<'a> Picture<'a> {
         let mut colour = own.map(linear);
         if seen.spot.on_end {
             // where it was cut it is paler, as fresh ends are
-            colour = colour.map(|x| 0.55 * x + 0.45 * (0.35 + 0.65 * x));
+            colour = colour.map(|x| 0.24 + 0.76 * x);
         }
         opaque(shown(&Surface { normal: self.normal(seen), colour, glossy: !seen.spot.on_end }, reached))
     }
@@ -320,7 +323,7 @@ fn frame(view: View) -> [Vector; 3] {
     let [(st, ct), (se, ce), (sr, cr)] = [view.turn, view.tilt, view.roll].map(libm::sincos);
     // lying across: the ply's z to the right, its x up, its y towards the eye; turned about z first
     let (x, y, z) = ([ct, st, 0.0], [-st, ct, 0.0], [0.0, 0.0, 1.0]);
-    // then its upper end towards the eye
+    // then its upper end, on the right, towards the eye
     let right: Vector = core::array::from_fn(|i| ce * z[i] - se * y[i]);
     let eye: Vector = core::array::from_fn(|i| se * z[i] + ce * y[i]);
     let rolled = |a: f64, b: f64| -> Vector { core::array::from_fn(|i| a * right[i] + b * x[i]) };

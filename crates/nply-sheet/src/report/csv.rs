@@ -10,6 +10,9 @@ impl Report {
         if let Some(supported) = &self.solution.supported {
             return super::support::csv(self, supported);
         }
+        if let Some(stretched) = &self.solution.stretched {
+            return super::support::csv(self, stretched);
+        }
         let entries = self.entries();
         let si: Vec<_> = entries.iter().filter_map(|c| Some((c, c.measure.si(self.known())?))).collect();
         let mut head: Vec<String> =

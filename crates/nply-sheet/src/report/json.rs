@@ -31,6 +31,9 @@ impl Report {
         if let Some(supported) = &self.solution.supported {
             return super::support::json(self, supported);
         }
+        if let Some(stretched) = &self.solution.stretched {
+            return super::support::json(self, stretched);
+        }
         let case = &self.case;
         let mut top = header();
         top.insert("balance".into(), json!(case.balance.name()));
@@ -120,6 +123,9 @@ pub(super) fn question(question: Question) -> Value {
             let core = core_radius.map(|radius| ("core_radius", radius));
             let given = [vec![twist(t)], super::support::held(ends), core.into_iter().collect()].concat();
             ("supported_states", given)
+        }
+        Question::Stretched { twist: t, grips, .. } => {
+            ("supported_states", [vec![twist(t)], super::stretch::held(grips)].concat())
         }
     };
     let given: Map<String, Value> = given.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();

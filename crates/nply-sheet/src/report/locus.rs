@@ -123,6 +123,7 @@ impl LocusReport {
             | Question::Held { twist, .. }
             | Question::Supported { twist, .. } => twist,
             Question::PretwistAt { .. } => return Err(twist_missing(case)),
+            Question::Stretched { .. } => return Err(super::stretch::not_here(case, "this curve")),
         };
         let ply = Ply::with_balance(case.strands, case.stiffness_ratio, case.balance)
             .and_then(|ply| ply.with_external_pressure(case.external_pressure.unwrap_or(0.0)))

@@ -32,6 +32,8 @@ pub enum Measure {
     ForcePerLength,
     /// A stiffness against torsion, in B.
     Stiffness,
+    /// A stress, in B/r⁴.
+    Stress,
     /// Radians per force, in r²/B; degrees where a person reads it.
     AnglePerForce,
     /// Radians per moment, in r/B; degrees where a person reads it.
@@ -70,6 +72,7 @@ impl Measure {
             Self::Moment => (scale?.moment(1.0), "N m"),
             Self::ForcePerLength => (scale?.force_per_length(1.0), "N/m"),
             Self::Stiffness => (scale?.stiffness(1.0), "N m^2"),
+            Self::Stress => (scale?.force_per_length(1.0) / scale?.strand_radius(), "Pa"),
             Self::AnglePerForce => (1.0 / scale?.force(1.0), "rad/N"),
             Self::AnglePerMoment => (1.0 / scale?.moment(1.0), "rad/(N m)"),
         })
@@ -87,6 +90,7 @@ impl Measure {
             Self::Moment | Self::AnglePerMoment => Some(Dimension::MOMENT),
             Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
             Self::Stiffness => Some(Dimension::STIFFNESS),
+            Self::Stress => Some(Dimension::PRESSURE),
         };
         let per_load = matches!(self, Self::AnglePerForce | Self::AnglePerMoment);
         let (Some(dimension), Some((si, _))) = (dimension, self.si(known)) else {
@@ -135,6 +139,7 @@ impl Measure {
             Self::Moment => (1.0, "B/r"),
             Self::ForcePerLength => (1.0, "B/r³"),
             Self::Stiffness => (1.0, "B"),
+            Self::Stress => (1.0, "B/r⁴"),
             Self::AnglePerForce => (1_f64.to_degrees(), "deg r²/B"),
             Self::AnglePerMoment => (1_f64.to_degrees(), "deg r/B"),
         };

@@ -1,30 +1,47 @@
 //! What a person reads out: one report, rendered as a table, as JSON or as CSV.
 
+mod clearance;
 mod column;
 mod csv;
+mod curve;
+mod fit;
 mod item;
 mod json;
 mod lays;
+mod link;
 mod locus;
 mod locus_picture;
 mod margin;
 mod measure;
+mod plying;
 mod shape;
+mod stiffness;
+mod stretch;
+mod strings;
 mod support;
 mod text;
 mod trace;
 mod verdict;
+mod writhe;
 
 use nply::Handedness;
-use nply::mechanics::{Balance, Ends, Equilibrium};
+use nply::mechanics::{Axial, Balance, Ends, Equilibrium, Turning};
 
+pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
+pub use curve::Extension;
+pub use fit::FitReport;
 pub use lays::LaysReport;
+pub use link::{Link, LinkReport};
 pub use locus::{AngleLine, LocusReport, SpecialPoint};
 pub use measure::{Known, Measure, Reading};
+pub use plying::PlyingReport;
 pub use shape::ShapeReport;
+pub use stiffness::StiffnessReport;
+pub use strings::StringsReport;
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
+pub use writhe::{WritheQuestion, WritheReport, Writhing};
 
 pub(crate) use csv::unit_suffix;
 pub(crate) use json::header;
@@ -63,7 +80,8 @@ impl Report {
     /// [`SpecError`] where the theory refuses a premise, at the place of the datum it comes from.
     pub fn of(case: Case) -> Result<Self, SpecError> {
         let solution = case.solve().map_err(|error| case.locate(&error))?;
-        let notes = notes(&case, &solution);
+        let mut notes = notes(&case, &solution);
+        notes.extend(packing(&case));
         Ok(Self { case, solution, notes })
     }
 
@@ -81,6 +99,20 @@ impl Report {
     }
 }
 
+/// What is taken for granted where a titre gives the size.
+pub(super) fn packing(case: &Case) -> Option<String> {
+    case.packing_fraction.map(packing_of)
+}
+
+fn packing_of(share: f64) -> String {
+    let share = crate::preferred::six_digits(share);
+    let solid = if share == "1" { " (solid)" } else { "" };
+    format!(
+        "The strand's diameter follows from its linear density at a packing fraction of {share}{solid}; the fibres of a yarn \
+         leave room between them, the more the less it is twisted."
+    )
+}
+
 /// The quantity a question finds besides the shape, by its column's name.
 fn found(question: Question) -> Option<&'static str> {
     match question {
@@ -93,12 +125,21 @@ fn found(question: Question) -> Option<&'static str> {
             Ends::Rotation { .. } => Some("moment"),
             Ends::Length { .. } => Some("force"),
         },
+        // with both displacements held, both loads are found
+        Question::Stretched { grips, .. } => match (grips.axial, grips.turning) {
+            (Axial::Force(_), Turning::Rotation(_)) => Some("moment"),
+            (Axial::Extension(_), Turning::Moment(_)) => Some("force"),
+            _ => None,
+        },
     }
 }
 
 fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     if let Some(supported) = &solution.supported {
         return support::notes(case, solution.straight, supported);
+    }
+    if let Some(stretched) = &solution.stretched {
+        return stretch::notes(case, stretched);
     }
     let mut notes = Vec::new();
     if solution.states.is_empty() {

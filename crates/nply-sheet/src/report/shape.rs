@@ -101,6 +101,11 @@ impl ShapeReport {
         };
         let _ = writeln!(out, "{}", emphasis.heading(&headline));
         let mut rows = Vec::new();
+        if self.shape.strand_radius.is_some() {
+            let reading = Measure::Length.reading(self.known(), &self.shape.units, 1.0);
+            let cells = vec![six_digits(reading.factor)];
+            rows.push(Row { label: "strand radius".to_owned(), unit: reading.unit, cells });
+        }
         for (name, label, measure, value) in self.items() {
             let reading = measure.reading(self.known(), &self.shape.units, value);
             let text = if value.is_finite() { six_digits(value * reading.factor) } else { "unbounded".to_owned() };
@@ -116,6 +121,9 @@ impl ShapeReport {
             rows.push(Row { label: "cut across the ply".to_owned(), unit: String::new(), cells });
         }
         lay_out(&mut out, &[("", rows)], &emphasis);
+        if let Some(share) = self.shape.packing_fraction {
+            let _ = writeln!(out, "\n{}", super::packing_of(share));
+        }
         if !self.branches.is_empty() {
             let _ = writeln!(out, "\n{}", emphasis.heading("Solutions of the contact condition, nearest first"));
             for branch in &self.branches {
@@ -138,6 +146,12 @@ impl ShapeReport {
     pub fn json(&self) -> String {
         let mut top = header();
         top.insert("strands".into(), json!(self.shape.strands));
+        if let Some(radius) = self.shape.strand_radius {
+            top.insert("strand_radius_m".into(), json!(radius));
+        }
+        if let Some(share) = self.shape.packing_fraction {
+            top.insert("packing_fraction".into(), json!(share));
+        }
         let (mut si, mut units) = (Map::new(), Map::new());
         for (name, _, measure, value) in self.items() {
             let value = Some(value).filter(|v| v.is_finite());

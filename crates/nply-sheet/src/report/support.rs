@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
+use nply::Handedness;
 use nply::mechanics::{Ends, Holding, Stability, Support, SupportedState, Twist, Wedge};
 use serde_json::{Map, Value, json};
 
@@ -74,10 +75,39 @@ fn strand_twist_held(state: &SupportedState) -> Option<SupportedState> {
 }
 
 /// A verdict: its name in JSON and CSV, its words, and how it is reached.
-type Verdict = (&'static str, &'static str, fn(&SupportedState) -> Option<Stability>);
+pub(super) type Verdict<S> = (&'static str, &'static str, fn(&S) -> Option<Stability>);
+
+/// A state on its supports, of whatever strands: what is said of it.
+pub(super) trait Carried: Sized + 'static {
+    /// Every number, in the order of the report.
+    const NUMBERS: &'static [Item<Self>];
+    /// What may be held while it is disturbed; dead loads first.
+    const VERDICTS: &'static [Verdict<Self>];
+
+    fn hand(&self) -> Handedness;
+    fn carried_by(&self) -> Support;
+    fn radians(&self) -> f64;
+}
+
+impl Carried for SupportedState {
+    const NUMBERS: &'static [Item<Self>] = STATE;
+    const VERDICTS: &'static [Verdict<Self>] = VERDICTS;
+
+    fn hand(&self) -> Handedness {
+        self.handedness()
+    }
+
+    fn carried_by(&self) -> Support {
+        self.support()
+    }
+
+    fn radians(&self) -> f64 {
+        self.angle().radians()
+    }
+}
 
 /// What may be held while a state is disturbed.
-const VERDICTS: &[Verdict] = &[
+const VERDICTS: &[Verdict<SupportedState>] = &[
     ("dead_loads", "under dead loads", |s| Some(s.stability(Holding::DeadLoads))),
     ("rotation_held", "ends cannot turn", |s| Some(s.stability(Holding::Rotation))),
     ("length_held", "length held", |s| Some(s.stability(Holding::Length))),
@@ -126,7 +156,7 @@ const fn carried_by(support: Support) -> &'static str {
 }
 
 /// The report as an aligned table.
-pub(super) fn text(report: &Report, supported: &Supported, emphasis: bool) -> String {
+pub(super) fn text<S: Carried>(report: &Report, supported: &Supported<S>, emphasis: bool) -> String {
     let (case, states) = (&report.case, &supported.states);
     let emphasis = &Emphasis(emphasis);
     let reader = Reader { known: report.known(), units: &case.units, emphasis };
@@ -136,13 +166,13 @@ pub(super) fn text(report: &Report, supported: &Supported, emphasis: bool) -> St
         let numbers: Vec<String> = (1..=states.len()).map(|number| number.to_string()).collect();
         let mut head = vec![
             words("state", numbers.iter().map(String::as_str)),
-            words("hand", states.iter().map(|s| hand(s.handedness()))),
-            words("carried by", states.iter().map(|s| carried_by(s.support()))),
+            words("hand", states.iter().map(|s| hand(s.hand()))),
+            words("carried by", states.iter().map(|s| carried_by(s.carried_by()))),
         ];
-        for (_, label, of) in VERDICTS.iter().filter(|(_, _, of)| states.iter().any(|s| of(s).is_some())) {
+        for (_, label, of) in S::VERDICTS.iter().filter(|(_, _, of)| states.iter().any(|s| of(s).is_some())) {
             head.push(words(label, states.iter().map(|s| of(s).map_or("–", Stability::name))));
         }
-        lay_out(&mut out, &reader.parts(head, STATE, states, found(case.question)), emphasis);
+        lay_out(&mut out, &reader.parts(head, S::NUMBERS, states, found(case.question)), emphasis);
     }
     reader.table(
         &mut out,
@@ -180,13 +210,17 @@ const LETS_GO: [(Support, &str); 2] = [
 ];
 
 /// The openings, by the load that is kept.
-fn openings(supported: &Supported) -> [(&'static str, &[Opening]); 2] {
+fn openings<S>(supported: &Supported<S>) -> [(&'static str, &[Opening]); 2] {
     [("force", &supported.openings_at_force), ("moment", &supported.openings_at_moment)]
 }
 
 const fn core_radius(case: &Case) -> Option<f64> {
     match case.question {
         Question::Supported { core_radius, .. } => core_radius,
+        Question::Stretched { ply, .. } => match ply.core() {
+            Some(core) => Some(core.radius()),
+            None => None,
+        },
         _ => None,
     }
 }
@@ -205,7 +239,7 @@ fn headline(case: &Case, reader: &Reader<'_>) -> String {
 }
 
 /// The report as JSON.
-pub(super) fn json(report: &Report, supported: &Supported) -> String {
+pub(super) fn json<S: Carried>(report: &Report, supported: &Supported<S>) -> String {
     let (case, known) = (&report.case, report.known());
     let mut top = header();
     if let Some(title) = &case.title {
@@ -222,7 +256,7 @@ pub(super) fn json(report: &Report, supported: &Supported) -> String {
         top.insert("bending_stiffness_N_m2".into(), json!(scale.bending_stiffness()));
     }
     let units: Map<String, Value> =
-        units(STATE, known).chain(units(WEDGE, known)).chain(units(OPENING, known)).collect();
+        units(S::NUMBERS, known).chain(units(WEDGE, known)).chain(units(OPENING, known)).collect();
     if !units.is_empty() {
         top.insert("si_units".into(), Value::Object(units));
     }
@@ -242,27 +276,28 @@ pub(super) fn json(report: &Report, supported: &Supported) -> String {
     format!("{:#}\n", Value::Object(top))
 }
 
-fn object(state: &SupportedState, known: Known) -> Value {
-    let mut object = of_hand(state.handedness());
-    object.insert("support".into(), json!(state.support().name()));
-    object.insert("stability".into(), json!(state.stability(Holding::DeadLoads).name()));
-    let verdicts = VERDICTS.iter().map(|(name, _, of)| ((*name).to_owned(), json!(of(state).map(Stability::name))));
+fn object<S: Carried>(state: &S, known: Known) -> Value {
+    let mut object = of_hand(state.hand());
+    object.insert("support".into(), json!(state.carried_by().name()));
+    let first = S::VERDICTS.first().and_then(|(_, _, of)| of(state));
+    object.insert("stability".into(), json!(first.map(Stability::name)));
+    let verdicts = S::VERDICTS.iter().map(|(name, _, of)| ((*name).to_owned(), json!(of(state).map(Stability::name))));
     object.insert("stability_by_holding".into(), Value::Object(verdicts.collect()));
-    object.insert("helical_angle".into(), json!(state.angle().radians()));
-    Value::Object(numbers(object, STATE, state, known))
+    object.insert("helical_angle".into(), json!(state.radians()));
+    Value::Object(numbers(object, S::NUMBERS, state, known))
 }
 
 /// The states as CSV: wedges and openings are left to JSON.
-pub(super) fn csv(report: &Report, supported: &Supported) -> String {
+pub(super) fn csv<S: Carried>(report: &Report, supported: &Supported<S>) -> String {
     let (case, known) = (&report.case, report.known());
-    let si: Vec<_> = STATE.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
-    let held: Vec<&Verdict> = VERDICTS.iter().filter(|(name, ..)| *name != Holding::DeadLoads.name()).collect();
+    let si: Vec<_> = S::NUMBERS.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
+    let held = S::VERDICTS.get(1..).unwrap_or_default();
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
     let mut head: Vec<String> =
         ["strands", "stiffness_ratio", "core_radius", "state", "handedness", "lay", "support"].map(String::from).into();
     head.push("stability".to_owned());
     head.extend(held.iter().map(|(name, ..)| format!("stability_{name}")));
-    head.extend(STATE.iter().map(|item| item.name.to_owned()));
+    head.extend(S::NUMBERS.iter().map(|item| item.name.to_owned()));
     head.extend(si.iter().map(|(item, (_, unit))| format!("{}_{}", item.name, unit_suffix(unit))));
     let mut out = head.join(",") + "\n";
     for (i, state) in supported.states.iter().enumerate() {
@@ -271,13 +306,12 @@ pub(super) fn csv(report: &Report, supported: &Supported) -> String {
             case.stiffness_ratio.to_string(),
             number(core_radius(case)),
             (i + 1).to_string(),
-            state.handedness().sign().to_string(),
-            state.handedness().lay_letter().to_string(),
-            state.support().name().to_owned(),
+            state.hand().sign().to_string(),
+            state.hand().lay_letter().to_string(),
+            state.carried_by().name().to_owned(),
         ];
-        cells.push(state.stability(Holding::DeadLoads).name().to_owned());
-        cells.extend(held.iter().map(|(_, _, of)| of(state).map_or("", Stability::name).to_owned()));
-        cells.extend(STATE.iter().map(|item| number(item.of(state))));
+        cells.extend(S::VERDICTS.iter().map(|(_, _, of)| of(state).map_or("", Stability::name).to_owned()));
+        cells.extend(S::NUMBERS.iter().map(|item| number(item.of(state))));
         cells.extend(si.iter().map(|(item, (factor, _))| number(item.of(state).map(|value| value * factor))));
         out += &(cells.join(",") + "\n");
     }

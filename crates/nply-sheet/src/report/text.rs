@@ -33,6 +33,9 @@ impl Report {
         if let Some(supported) = &self.solution.supported {
             return super::support::text(self, supported, emphasis);
         }
+        if let Some(stretched) = &self.solution.stretched {
+            return super::support::text(self, stretched, emphasis);
+        }
         let emphasis = Emphasis(emphasis);
         let mut out = String::new();
         let _ = writeln!(out, "{}", emphasis.heading(&headline(&self.case)));

@@ -27,15 +27,7 @@ impl Spec {
     pub fn from_toml(file_name: &str, text: &str) -> Result<Self, SpecError> {
         let name: Arc<str> = Arc::from(file_name);
         let place = |bytes| Place::in_file(&name, text, bytes);
-        let document = DeTable::parse(text).map_err(|error| {
-            let bytes = error.span().unwrap_or(0..0);
-            let help = match error.message() {
-                "duplicate key" => Some("it stands above already: remove one of the two".to_owned()),
-                _ => unquoted(text, bytes.start),
-            };
-            let message = format!("this is not TOML: {}", one_line(error.message()));
-            SpecError::new(ErrorKind::Syntax, place(bytes), message).with_help(help)
-        })?;
+        let document = parse(text, &place)?;
         let mut spec = Self::empty(Some(place(0..0)));
         for (header, value) in in_order(document.get_ref()) {
             let written: &str = header.get_ref();
@@ -127,17 +119,35 @@ impl Spec {
     /// assert!(error.to_string().starts_with("ply.toml:2:3: this is not UTF-8 text"));
     /// ```
     pub fn from_bytes(file_name: &str, bytes: &[u8]) -> Result<Self, SpecError> {
-        match core::str::from_utf8(bytes) {
-            Ok(text) => Self::from_toml(file_name, text),
-            Err(error) => {
-                let end = error.valid_up_to();
-                let valid = bytes.get(..end).and_then(|valid| core::str::from_utf8(valid).ok()).unwrap_or("");
-                let place = Place::in_file(&Arc::from(file_name), valid, end..end);
-                let message = "this is not UTF-8 text: save the file as UTF-8 and try again";
-                Err(SpecError::new(ErrorKind::Syntax, place, message))
-            }
-        }
+        Self::from_toml(file_name, utf8(file_name, bytes)?)
     }
+}
+
+/// Bytes that are meant to be text.
+pub(crate) fn utf8<'b>(file_name: &str, bytes: &'b [u8]) -> Result<&'b str, SpecError> {
+    core::str::from_utf8(bytes).map_err(|error| {
+        let end = error.valid_up_to();
+        let valid = bytes.get(..end).and_then(|valid| core::str::from_utf8(valid).ok()).unwrap_or("");
+        let place = Place::in_file(&Arc::from(file_name), valid, end..end);
+        let message = "this is not UTF-8 text: save the file as UTF-8 and try again";
+        SpecError::new(ErrorKind::Syntax, place, message)
+    })
+}
+
+/// A text as TOML, not yet understood.
+pub(crate) fn parse<'t>(
+    text: &'t str,
+    place: &impl Fn(core::ops::Range<usize>) -> Place,
+) -> Result<Spanned<DeTable<'t>>, SpecError> {
+    DeTable::parse(text).map_err(|error| {
+        let bytes = error.span().unwrap_or(0..0);
+        let help = match error.message() {
+            "duplicate key" => Some("it stands above already: remove one of the two".to_owned()),
+            _ => unquoted(text, bytes.start),
+        };
+        let message = format!("this is not TOML: {}", one_line(error.message()));
+        SpecError::new(ErrorKind::Syntax, place(bytes), message).with_help(help)
+    })
 }
 
 impl MapSpec {
@@ -178,7 +188,7 @@ impl MapSpec {
 }
 
 /// The entries of a table in the order of the file.
-fn in_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<Cow<'i, str>>, &'t Spanned<DeValue<'i>>)> {
+pub(crate) fn in_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<Cow<'i, str>>, &'t Spanned<DeValue<'i>>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(key, _)| key.span().start);
     entries
@@ -188,7 +198,7 @@ fn in_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<Cow<'i, str>>, &
 fn unquoted(text: &str, at: usize) -> Option<String> {
     let start = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
     let (key, value) = text.get(start..)?.lines().next()?.split_once('=')?;
-    let is_name = |key: &str| KEYS.iter().any(|known| known.name == key.rsplit('.').next().unwrap_or(key).trim());
+    let is_name = |key: &str| Key::every().any(|known| known.name == key.rsplit('.').next().unwrap_or(key).trim());
     let is_in_value = at > start + key.len();
     let value = value.split('#').next()?.trim();
     let value =
@@ -204,7 +214,7 @@ fn one_line(message: &str) -> String {
 }
 
 /// A name in backticks, without control characters.
-fn ticked(name: &str) -> String {
+pub(crate) fn ticked(name: &str) -> String {
     let shown = crate::quoted(name);
     format!("`{}`", shown.trim_matches('"'))
 }
@@ -251,7 +261,12 @@ fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
 }
 
 /// A value of the file, read as its key asks.
-fn read_toml(key: &'static Key, value: &Spanned<DeValue<'_>>, text: &str, place: Place) -> Result<Entry, SpecError> {
+pub(crate) fn read_toml(
+    key: &'static Key,
+    value: &Spanned<DeValue<'_>>,
+    text: &str,
+    place: Place,
+) -> Result<Entry, SpecError> {
     let written = text.get(value.span()).unwrap_or("");
     let written = crate::quoted(written);
     // the marks of `quoted` go: the file's own are already there

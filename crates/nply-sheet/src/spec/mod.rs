@@ -1,11 +1,12 @@
 //! What was written, and where: the same from a file as from flags.
 
-mod file;
+pub(crate) mod file;
+mod hand;
 
 use nply::Handedness;
 use nply::mechanics::Balance;
 
-use crate::key::nearest;
+use crate::key::{Group, nearest};
 use crate::{
     Case, Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, Shape, SpecError, Table,
 };
@@ -37,6 +38,11 @@ impl Entry {
             Place::File { .. } => format!("`{} = {}`", self.key.name, self.written),
             Place::Flag(ref flag) => format!("`--{flag} {}`", self.written),
         }
+    }
+
+    /// Whether it holds the ends in their rotation.
+    pub(crate) const fn turns_ends(&self) -> bool {
+        matches!(self.key.datum, Datum::PlyRotation | Datum::PlyTurns | Datum::PlyTurnsPerStrandLength)
     }
 
     /// An error about this datum, at its place.
@@ -153,19 +159,33 @@ impl Spec {
     /// ```
     #[must_use]
     pub fn overridden_by(&self, flags: &Self) -> Self {
+        // strands that stretch may have their length and their rotation held at once
+        let both = self.stretches() || flags.stretches();
         let replaced = |entry: &Entry| {
             flags.entries.iter().any(|flag| {
-                flag.key.datum == entry.key.datum || (flag.key.group.is_some() && flag.key.group == entry.key.group)
+                let same_group = flag.key.group.is_some() && flag.key.group == entry.key.group;
+                let beside = both && flag.turns_ends() != entry.turns_ends();
+                flag.key.datum == entry.key.datum || same_group && !beside
             })
         };
         let mut merged = self.clone();
         merged.entries.retain(|entry| !replaced(entry));
         merged.entries.extend(flags.entries.iter().cloned());
         merged.start = merged.start.or_else(|| flags.start.clone());
+        // a size takes the place of a titre's, and a titre with its density that of a size
+        let replaces = |datum| flags.get(datum).is_some();
+        let from_flag = |entry: &Entry| matches!(entry.place, Place::Flag(_));
+        if flags.entries.iter().any(|flag| flag.key.group == Some(Group::Size)) {
+            let of_titre = [Datum::Density, Datum::PackingFraction];
+            merged.entries.retain(|entry| from_flag(entry) || !of_titre.contains(&entry.key.datum));
+        } else if replaces(Datum::Density) {
+            merged.entries.retain(|entry| from_flag(entry) || entry.key.group != Some(Group::Size));
+        }
         // a temperature that no persistence length asks for any more goes with it
         let persistent = [Datum::BendingPersistenceLength, Datum::TwistPersistenceLength];
         let lost = |datum: &Datum| self.get(*datum).is_some();
-        if persistent.iter().any(lost) && persistent.iter().all(|datum| merged.get(*datum).is_none()) {
+        let still = persistent.iter().any(|datum| merged.get(*datum).is_some()) || crate::case::any_thermal(&merged);
+        if persistent.iter().any(lost) && !still {
             merged
                 .entries
                 .retain(|entry| entry.key.datum != Datum::Temperature || matches!(entry.place, Place::Flag(_)));
@@ -208,6 +228,42 @@ impl Spec {
     /// ```
     pub fn check_supports(&self) -> Result<Case, SpecError> {
         Case::of(self, true)
+    }
+
+    /// As [`Spec::check`], of a ply that is spun and let go: the twist of its singles, a wanted lay, or both.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`Spec::check`], where a load is given, or a lay whose hand is not.
+    ///
+    /// ```
+    /// use nply_sheet::{Question, Spec};
+    /// let flags = [("strands", "2"), ("stiffness-ratio", "1"), ("helical-angle", "20 deg"), ("hand", "S")];
+    /// let case = Spec::from_flags(flags)?.check_plying()?;
+    /// assert!(matches!(case.question, Question::PretwistAt { .. }));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_plying(&self) -> Result<Case, SpecError> {
+        Case::of_plying(self)
+    }
+
+    /// Strings that a motor twists together: number, size, length, pull, and turns if not all that go in are meant.
+    ///
+    /// # Errors
+    /// [`SpecError`] where one of these is missing, more turns are asked for than go in, or what such strings have not is given.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// let flags = [("strands", "2"), ("diameter", "1 mm"), ("strand-length", "0.5 m"), ("force", "20 N")];
+    /// assert_eq!(Spec::from_flags(flags)?.check_strings()?.rotation, None);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn check_strings(&self) -> Result<crate::Strings, SpecError> {
+        crate::Strings::of(self)
+    }
+
+    /// Whether strands are to stretch.
+    pub(crate) fn stretches(&self) -> bool {
+        self.get(Datum::Stretch).is_some_and(|entry| entry.value == Value::Switch(true))
     }
 
     /// The number of strands alone, 1 to a million.
@@ -284,7 +340,7 @@ impl Spec {
 }
 
 /// A value written as text, read as its key asks.
-fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, SpecError> {
+pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, SpecError> {
     let error = |kind, said: String| {
         // a flag stands before its message already
         let message = match place {
@@ -322,7 +378,12 @@ fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, Spec
         }
         _ => {}
     }
-    let quantity = Quantity::parse(text).map_err(|found| {
+    let (number, hand) = if key.takes_hand() { hand::split(text) } else { (text, None) };
+    let parsed = match key.kind {
+        Kind::LinearDensity => Quantity::parse_linear_density(number),
+        _ => Quantity::parse(number),
+    };
+    let quantity = parsed.map_err(|found| {
         let kind = match found {
             QuantityError::NotFinite { .. } | QuantityError::OutOfRange { .. } => ErrorKind::Domain,
             QuantityError::UnknownUnit { .. } => ErrorKind::WrongUnit,
@@ -339,17 +400,20 @@ fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<Value, Spec
     })?;
     let right = match &quantity {
         Quantity::Bare(_) => key.kind.may_be_bare(),
-        Quantity::Measured { unit, .. } => key.kind.dimension() == Some(unit.dimension()),
+        Quantity::Measured { unit, .. } => {
+            key.kind.dimension() == Some(unit.dimension()) || key.kind.is_relative(unit.dimension())
+        }
     };
     if right {
-        return Ok(Value::Quantity(quantity));
+        let handed = hand::signed(quantity, number, hand);
+        return handed.map(Value::Quantity).map_err(|said| error(ErrorKind::Contradiction, said));
     }
     let found = quantity.dimension();
     let said = QuantityError::WrongDimension { read: crate::quoted(text.trim()), found, wanted: key.kind.wanted() };
-    // another key of the same table may be the one that takes it
-    let other = KEYS
-        .iter()
-        .find(|other| other.table == key.table && found != Dimension::NUMBER && other.kind.dimension() == Some(found));
+    // another key of the same table may be the one that takes it; what only strands that stretch have is seldom meant
+    let takes = |other: &Key| found != Dimension::NUMBER && other.kind.dimension() == Some(found);
+    let other =
+        Key::every().find(|other| other.table == key.table && other.datum != Datum::AxialStiffness && takes(other));
     let help = match (other, place) {
         _ if key.kind == Kind::Angle && found == Dimension::NUMBER => {
             Some(format!("did you mean \"{} deg\" or \"{0} rad\"?", quantity.si()))

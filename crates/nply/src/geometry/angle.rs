@@ -66,6 +66,11 @@ impl HelicalAngle {
         Ok(Self::flat(pitch_angle))
     }
 
+    /// From tan θ = `across`/`along`, both greater than 0, by whichever of the two angles is the smaller.
+    pub(crate) fn of_tangent(across: f64, along: f64) -> Self {
+        if across < along { Self::steep(libm::atan(across / along)) } else { Self::flat(libm::atan(along / across)) }
+    }
+
     /// From cos θ in (0, 1], by whichever of the two angles is the smaller.
     pub(crate) fn of_cosine(cos: f64) -> Self {
         if cos > core::f64::consts::FRAC_1_SQRT_2 { Self::steep(libm::acos(cos)) } else { Self::flat(libm::asin(cos)) }

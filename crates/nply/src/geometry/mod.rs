@@ -1,4 +1,5 @@
-//! Section 2 of the paper: helices that touch, the curve along which they touch, the cut across the ply.
+//! Section 2 of the paper: helices that touch, the curve along which they touch, the cut across the ply; and wires laid on a core, layer on
+//! layer.
 
 mod angle;
 mod branch;
@@ -8,10 +9,15 @@ mod clearance;
 mod contact;
 mod contact_line;
 mod densest_helix;
+mod flat_section;
+mod king_wire;
 mod lay;
 mod section;
 mod special_lay;
 mod tube;
+mod wire_lay;
+mod wire_layer;
+mod wire_strand;
 
 pub use angle::HelicalAngle;
 pub use branch::{Branch, BranchKind, branch_at_anomaly, branches};
@@ -22,6 +28,10 @@ pub use contact::Contact;
 pub(crate) use contact::check_strands;
 pub use contact_line::ContactLine;
 pub use densest_helix::DensestHelix;
+pub use flat_section::FitFormula;
 pub use section::Section;
 pub use special_lay::{SpecialLays, packing_fraction};
 pub use tube::{Course, DoubleHelix, Ends, Facets, Fit, Place, Tube, TubeMesh};
+pub use wire_lay::WireLay;
+pub use wire_layer::{LayerContact, WireLayer};
+pub use wire_strand::WireStrand;

@@ -3,18 +3,22 @@
 mod atlas;
 mod balance;
 mod buckling;
+mod cable;
 mod displacement;
 mod ends;
 mod energy;
 mod equilibrium;
+mod extensible;
 mod flexibility;
 mod fold;
 mod ledger;
+mod line_contact;
 mod load;
 mod locus;
 mod margin;
 mod path;
 mod ply;
+mod plying;
 mod potential;
 mod pressure;
 mod row;
@@ -24,12 +28,19 @@ mod stiffness;
 mod strand;
 mod support;
 mod twist;
+mod twisted_strings;
 
 pub use balance::Balance;
 pub use buckling::BendingBounds;
+pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;
+pub use extensible::{
+    Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchData, StretchEnergy,
+    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, Turning, WireStress,
+    WorkingCore,
+};
 pub use ledger::Link;
 pub use load::Load;
 pub use locus::Locus;
@@ -42,3 +53,4 @@ pub use stiffness::Stiffness;
 pub use strand::StrandResultant;
 pub use support::{Support, SupportedState, Wedge};
 pub use twist::Twist;
+pub use twisted_strings::{ConstantRadius, TwistedStrings};

@@ -6,7 +6,6 @@ use core::ops::{Add, Range};
 use super::Curve;
 use super::pair_kernel::{BLOCK, Block};
 use crate::geometry::Vector;
-use crate::numerics::vector::sub;
 
 /// The average crossing number of a curve, piece by piece, so that a caller may share the work out, show how far it is and stop.
 ///
@@ -48,13 +47,7 @@ impl AverageCrossings {
     /// The work for a curve.
     #[must_use]
     pub fn new(curve: &Curve) -> Self {
-        let points = curve.scaled();
-        let first = points[0];
-        let size = points.iter().flat_map(|&p| sub(p, first)).fold(0.0_f64, |most, x| most.max(x.abs()));
-        let scale = libm::ldexp(1.0, -libm::ilogb(size));
-        let round = curve.is_closed().then_some(first);
-        let points = points.iter().copied().chain(round).map(|p| p.map(|x| scale * x)).collect();
-        Self { points, closed: curve.is_closed() }
+        Self { points: curve.of_size_one(), closed: curve.is_closed() }
     }
 
     /// Into how many columns the pairs are sorted; later ones hold more.
@@ -82,7 +75,7 @@ impl AverageCrossings {
             let start = column * BLOCK;
             let rows = &self.points[..(start + BLOCK).min(segments)];
             let round = |row: usize, segment: usize| self.closed && row == 0 && segment + 1 == segments;
-            let part = Block::new(&self.points, start).sum::<true>(rows, |row| row + 2, round);
+            let part = Block::new(&self.points, start).sum::<true>(rows, |row| row + 2, round, &mut []);
             share = share + CrossingShare { value: part.sum / PI, bound: part.bound / PI };
         }
         share

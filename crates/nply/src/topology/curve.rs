@@ -153,6 +153,16 @@ impl Curve {
         }
     }
 
+    /// The points, so scaled by a power of two that the curve's size is about one; of a closed curve the first once more at the end.
+    pub(crate) fn of_size_one(&self) -> Vec<Vector> {
+        let points = self.scaled();
+        let first = points[0];
+        let size = points.iter().flat_map(|&p| sub(p, first)).fold(0.0_f64, |most, x| most.max(x.abs()));
+        let scale = libm::ldexp(1.0, -libm::ilogb(size));
+        let round = self.closed.then_some(first);
+        points.iter().copied().chain(round).map(|p| times(scale, p)).collect()
+    }
+
     /// Both curves' points in one scale.
     pub(crate) fn scaled_pair<'a>(&'a self, other: &'a Self) -> [Cow<'a, [Vector]>; 2] {
         let scale = power_of_two(self.reach.max(other.reach));

@@ -21,21 +21,22 @@ const FAR: f64 = 4.0;
 /// The least squared distance whose 48th power is still a number with a margin, where the curve's size is about one.
 const FLOOR: f64 = 1e-10;
 
-/// Sixty-four segments that follow each other, lane by lane.
+/// Sixty-four segments that follow each other, lane by lane. Wide loads that straddle two lines of the cache would take twice as long.
+#[repr(C, align(64))]
 pub(crate) struct Block<'a> {
-    /// all points that follow each other
-    points: &'a [Vector],
-    start: usize,
-    segments: usize,
     /// places, and twice the step to the next place, by coordinate
     p: [[Lanes; STEPS + 1]; 3],
     f: [[Lanes; STEPS]; 3],
     /// squared lengths
     ff: [Lanes; STEPS],
-    longest: Lanes,
     /// squared distances, and distances, from the beginning of the row that is next
     square: [Lanes; STEPS + 1],
     root: [Lanes; STEPS + 1],
+    longest: Lanes,
+    /// all points that follow each other
+    points: &'a [Vector],
+    start: usize,
+    segments: usize,
 }
 
 /// A sum of half solid angles.
@@ -81,19 +82,87 @@ impl<'a> Block<'a> {
 
     /// The segments of `rows`, one after the other, with each of the block's; `ABS` takes each half solid angle as positive. Neighbours,
     /// as `joined` tells them by row and segment, are left out, and so is every segment of the block before `first(row)`.
+    /// What each row adds is added to its place in `each`, if it has one.
     pub(crate) fn sum<const ABS: bool>(
         &mut self,
         rows: &[Vector],
         first: impl Fn(usize) -> usize,
         joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
+    ) -> Part {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if std::arch::is_x86_feature_detected!("avx512f") {
+                #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
+                // SAFETY: AVX-512 is there.
+                return unsafe { self.sum_512::<ABS>(rows, first, joined, each) };
+            }
+            if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+                #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
+                // SAFETY: AVX2 and FMA are there.
+                return unsafe { self.sum_256::<ABS>(rows, first, joined, each) };
+            }
+        }
+        self.sum_of::<ABS, false>(rows, first, joined, each)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f")]
+    fn sum_512<const ABS: bool>(
+        &mut self,
+        rows: &[Vector],
+        first: impl Fn(usize) -> usize,
+        joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
+    ) -> Part {
+        self.sum_of::<ABS, true>(rows, first, joined, each)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2,fma")]
+    fn sum_256<const ABS: bool>(
+        &mut self,
+        rows: &[Vector],
+        first: impl Fn(usize) -> usize,
+        joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
+    ) -> Part {
+        self.sum_of::<ABS, true>(rows, first, joined, each)
+    }
+
+    #[inline(always)]
+    fn sum_of<const ABS: bool, const FUSED: bool>(
+        &mut self,
+        rows: &[Vector],
+        first: impl Fn(usize) -> usize,
+        joined: impl Fn(usize, usize) -> bool,
+        each: &mut [f64],
     ) -> Part {
         let mut part = Part::default();
+        let mut far = ([0.0; LANES], [0.0; LANES]);
         self.stand_at(rows[0]);
         for (row, ends) in rows.windows(2).enumerate() {
             let (a, b) = (ends[0], ends[1]);
-            let [square, angles] = self.row::<ABS>(a, b);
+            let [square, angles] = self.row::<ABS, FUSED>(a, b);
             let length = norm(sub(b, a));
             let from = first(row);
+            // as a rule all lanes are far, and all together add up side by side
+            let mut all = self.segments == BLOCK && self.start >= from;
+            let (mut sum, mut bound) = ([0.0; LANES], [0.0; LANES]);
+            for lane in 0..LANES {
+                let longest = if length > self.longest[lane] { length } else { self.longest[lane] };
+                all &= square[lane] >= FAR * FAR * longest * longest && square[lane] >= FLOOR;
+                sum[lane] = far.0[lane] + angles[lane];
+                bound[lane] = far.1[lane] + error(length * self.longest[lane] / square[lane], angles[lane]);
+            }
+            if all {
+                if let Some(own) = each.get_mut(row) {
+                    *own += angles.iter().sum::<f64>();
+                }
+                far = (sum, bound);
+                continue;
+            }
+            let before = part.sum;
             for lane in 0..LANES {
                 let start = self.start + lane * STEPS;
                 let end = (start + STEPS).min(self.start + self.segments);
@@ -101,9 +170,7 @@ impl<'a> Block<'a> {
                 let far = square[lane] >= (FAR * FAR * longest * longest).max(FLOOR);
                 if far && start >= from && end == start + STEPS {
                     part.sum += angles[lane];
-                    // the determinant to some eight roundings of its greatest term, against denominators of 2 R³ and more
-                    let each = 8.0 * f64::EPSILON * length * self.longest[lane] / square[lane];
-                    part.bound += STEPS as f64 * each + 16.0 * f64::EPSILON * angles[lane].abs();
+                    part.bound += error(length * self.longest[lane] / square[lane], angles[lane]);
                 } else {
                     for segment in start.max(from)..end {
                         if !joined(row, segment) {
@@ -115,7 +182,15 @@ impl<'a> Block<'a> {
                     }
                 }
             }
+            if let Some(own) = each.get_mut(row) {
+                *own += part.sum - before;
+            }
             part.bound += f64::EPSILON * part.sum.abs();
+        }
+        for lane in 0..LANES {
+            part.sum += far.0[lane];
+            // and the additions: as many roundings as rows at most
+            part.bound += far.1[lane] + rows.len() as f64 * f64::EPSILON * far.0[lane].abs();
         }
         part
     }
@@ -132,48 +207,23 @@ impl<'a> Block<'a> {
     }
 
     /// The least squared distance in each lane, and the sum of its half solid angles, which is right where that is great enough.
-    fn row<const ABS: bool>(&mut self, a: Vector, b: Vector) -> [Lanes; 2] {
-        #[cfg(target_arch = "x86_64")]
-        {
-            if std::arch::is_x86_feature_detected!("avx512f") {
-                #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
-                // SAFETY: AVX-512 is there.
-                return unsafe { self.row_512::<ABS>(a, b) };
-            }
-            if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-                #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
-                // SAFETY: AVX2 and FMA are there.
-                return unsafe { self.row_256::<ABS>(a, b) };
-            }
-        }
-        self.row_of::<ABS, false>(a, b)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx512f")]
-    fn row_512<const ABS: bool>(&mut self, a: Vector, b: Vector) -> [Lanes; 2] {
-        self.row_of::<ABS, true>(a, b)
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma")]
-    fn row_256<const ABS: bool>(&mut self, a: Vector, b: Vector) -> [Lanes; 2] {
-        self.row_of::<ABS, true>(a, b)
-    }
-
+    ///
     /// Letters: u, v from the row's ends a, b to one point of the block, u′, v′ to the next; A, B, C, D their squares.
     #[inline(always)]
-    fn row_of<const ABS: bool, const FUSED: bool>(&mut self, a: Vector, b: Vector) -> [Lanes; 2] {
+    fn row<const ABS: bool, const FUSED: bool>(&mut self, a: Vector, b: Vector) -> [Lanes; 2] {
         let e = sub(b, a);
         let ee = dot(e, e);
         let mut least = [f64::INFINITY; LANES];
         let (mut re, mut im) = ([1.0; LANES], [0.0; LANES]);
-        let (mut bb, mut nb) = ([0.0; LANES], [0.0; LANES]);
+        let (mut bb, mut nb, mut vs) = ([0.0; LANES], [0.0; LANES], [[0.0; LANES]; 3]);
         let mut g = [0.0; LANES];
         for lane in 0..LANES {
             let v = [0, 1, 2].map(|k| self.p[k][0][lane] - b[k]);
             bb[lane] = mad::<FUSED>(v[0], v[0], mad::<FUSED>(v[1], v[1], v[2] * v[2]));
             nb[lane] = bb[lane].sqrt();
+            for k in 0..3 {
+                vs[k][lane] = v[k];
+            }
             let (aa, na) = (self.square[0][lane], self.root[0][lane]);
             // 2(|u||v| + u·v)
             g[lane] = mad::<FUSED>(2.0 * na, nb[lane], aa + (bb[lane] - ee));
@@ -187,13 +237,12 @@ impl<'a> Block<'a> {
                 let dd = mad::<FUSED>(v[0], v[0], mad::<FUSED>(v[1], v[1], v[2] * v[2]));
                 let nd = dd.sqrt();
                 let ff = self.ff[step][lane];
-                // twice the determinant u·(f × e)
-                let u = [0, 1, 2].map(|k| self.p[k][step][lane] - a[k]);
+                // twice the determinant, v·(f × e) = u·(f × e)
                 let f = [0, 1, 2].map(|k| self.f[k][step][lane]);
                 let x = mad::<FUSED>(f[1], e[2], -(f[2] * e[1]));
                 let y = mad::<FUSED>(f[2], e[0], -(f[0] * e[2]));
                 let z = mad::<FUSED>(f[0], e[1], -(f[1] * e[0]));
-                let det = mad::<FUSED>(u[0], x, mad::<FUSED>(u[1], y, u[2] * z));
+                let det = mad::<FUSED>(vs[0][lane], x, mad::<FUSED>(vs[1][lane], y, vs[2][lane] * z));
                 let det = if ABS { det.abs() } else { det };
                 // twice the scalar products, by the law of cosines
                 let (b_f, c_e) = (b2 - ff, cc - ee);
@@ -209,12 +258,22 @@ impl<'a> Block<'a> {
                 self.square[step][lane] = b2;
                 self.root[step][lane] = b1;
                 (bb[lane], nb[lane], g[lane]) = (dd, nd, g_next);
+                for k in 0..3 {
+                    vs[k][lane] = v[k];
+                }
             }
         }
         self.square[STEPS] = bb;
         self.root[STEPS] = nb;
         [least, angles::<FUSED>(re, im)]
     }
+}
+
+/// What rounding can do to the angles of one lane: to each determinant some eight roundings of its greatest term, against denominators of 2 R³ and
+/// more; and to their product.
+#[inline(always)]
+fn error(spread: f64, angle: f64) -> f64 {
+    f64::EPSILON * (8.0 * STEPS as f64 * spread + 16.0 * angle.abs())
 }
 
 /// The angles of complex numbers.

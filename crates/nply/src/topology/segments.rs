@@ -8,12 +8,8 @@ use crate::numerics::vector::{Vector, cross, dot, norm, sub};
 ///
 /// Seen from one point of ab less those of cd the differences c − a, c − b, d − b, d − a span a quadrilateral on the sphere; it is cut into two
 /// triangles, whose half angles have the tangent det/(|u||v||w| + (u·v)|w| + (u·w)|v| + (v·w)|u|).
-pub(crate) fn half_solid_angle(one: [Vector; 2], other: [Vector; 2]) -> f64 {
-    let Tangents { det, first, second, .. } = Tangents::of(one, other);
-    if det == 0.0 { 0.0 } else { libm::atan2(det, first) + libm::atan2(det, second) }
-}
-
-/// The same, and what rounding can have done to it to first order.
+///
+/// And what rounding can have done to it, to first order.
 pub(crate) fn half_solid_angle_with_bound(one: [Vector; 2], other: [Vector; 2]) -> (f64, f64) {
     let Tangents { det, first, second, scale } = Tangents::of(one, other);
     let angle = if det == 0.0 { 0.0 } else { libm::atan2(det, first) + libm::atan2(det, second) };

@@ -4,10 +4,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod cable;
 mod chords;
 mod clearance;
 mod closed_ply;
 mod equilibrium;
+mod extensible;
 mod geometry;
 mod holding;
 mod ply_writhe;
@@ -15,8 +17,10 @@ mod refusal;
 mod section;
 mod separation;
 mod stability;
+mod stretch_path;
 mod support;
 mod tube;
+mod wire_layer;
 
 use nply::Handedness;
 use proptest::prelude::*;

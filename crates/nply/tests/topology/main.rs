@@ -11,7 +11,9 @@ mod linking;
 mod polar_writhe;
 mod refusal;
 mod ribbon;
+mod sample;
 mod writhe;
+mod writhe_map;
 
 use proptest::prelude::*;
 

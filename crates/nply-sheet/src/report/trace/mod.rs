@@ -1,14 +1,22 @@
 //! A path: how a ply gets from one set of data to another, leg by leg.
 
 mod picture;
+mod stiff;
+mod stop;
+mod stretch;
 mod table;
 mod words;
 
-use nply::mechanics::{Balance, Contacts, Data, End, Ends, Event, Holding, Path, Route, Stability, Station, Trace};
+use nply::mechanics::{
+    Balance, Clamped, Contacts, Data, End, Ends, Event, Holding, Route, Stability, Station, StretchStation, Trace,
+    Twist,
+};
 
+use self::stop::Stop;
 use self::words::{brief, happened, why};
 use super::Known;
 use crate::key::Group;
+use crate::plot::Picture;
 use crate::spec::Entry;
 use crate::{Case, Datum, ErrorKind, Question, SpecError, Table};
 
@@ -21,6 +29,8 @@ pub struct Walk {
     pub kept: bool,
     /// r κ, the bending strain of the outer fibre, whose passing is to be told.
     pub curvature_limit: Option<f64>,
+    /// Strain of the outermost fibre, from stretch and bending together, whose passing is to be told.
+    pub strain_limit: Option<f64>,
 }
 
 /// A ply followed along a path of one leg or more: the states on the way, what happens there, and where it ends.
@@ -38,100 +48,159 @@ pub struct Walk {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct TraceReport {
+    kind: Kind,
+}
+
+/// By what the strands are.
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    Stiff(Walked<Station>),
+    Stretching(Walked<StretchStation>),
+}
+
+/// The path of one kind of strands.
+#[derive(Clone, Debug, PartialEq)]
+struct Walked<S> {
     cases: Vec<Case>,
     contacts: Contacts,
-    starts: Vec<Station>,
+    starts: Vec<S>,
     chosen: usize,
-    legs: Vec<Leg>,
+    legs: Vec<Leg<S>>,
     notes: Vec<String>,
 }
 
 /// One leg that was walked.
 #[derive(Clone, Debug, PartialEq)]
-struct Leg {
-    holding: Holding,
-    trace: Trace,
+struct Leg<S> {
+    held: Clamped,
+    trace: Trace<S>,
 }
 
 impl TraceReport {
     /// Walks from the first case to the second, from there to the third, and so on.
     ///
-    /// Cases are [`Question::States`], [`Question::Held`] or [`Question::Supported`]. Where a leg holds a displacement that the one before
-    /// did not, it is that of the state reached.
+    /// Cases are [`Question::States`], [`Question::Held`] or [`Question::Supported`], or all of them [`Question::Stretched`]. Where a leg
+    /// holds a displacement that the one before did not, it is that of the state reached.
     ///
     /// # Errors
     /// [`SpecError`] where a case gives the shape or asks for separation, a leg changes the kind of twist or brings or takes a core, or
     /// a number is out of range.
     pub fn of(cases: Vec<Case>, walk: Walk) -> Result<Self, SpecError> {
-        let mut data = Vec::with_capacity(cases.len());
-        for case in &cases {
-            data.push(data_of(case)?);
-        }
-        let (Some(first), Some(&from)) = (cases.first(), data.first()) else {
-            let message = "a path needs a beginning and at least one leg";
-            return Err(SpecError::new(ErrorKind::Missing, crate::Place::Flag("path".to_owned()), message));
+        let Some(first) = cases.first() else {
+            return Err(no_beginning());
         };
-        let contacts = match (first.balance, walk.kept) {
-            (Balance::Radial, _) => Contacts::Kept(Balance::Radial),
-            (balance, true) => Contacts::Kept(balance),
-            (Balance::Contact, false) => Contacts::Unilateral,
-        };
-        for (case, to) in cases.iter().zip(&data) {
-            same_kind(case, &from, to)?;
+        for (limit, flag) in [(walk.curvature_limit, "curvature-limit"), (walk.strain_limit, "strain-limit")] {
+            if let Some(limit) = limit.filter(|limit| !(*limit > 0.0 && limit.is_finite())) {
+                let message = format!("{limit} limits nothing: give a bending strain greater than 0, such as 0.01");
+                return Err(SpecError::new(ErrorKind::Domain, crate::Place::Flag(flag.to_owned()), message));
+            }
         }
-        if let Some(limit) = walk.curvature_limit.filter(|limit| !(*limit > 0.0 && limit.is_finite())) {
-            let message = format!("{limit} limits nothing: give a bending strain greater than 0, such as 0.01");
-            return Err(SpecError::new(ErrorKind::Domain, crate::Place::Flag("curvature-limit".to_owned()), message));
-        }
-        let route = Route { curvature_limit: walk.curvature_limit, ..Route::default() };
-        let path =
-            |from, to, case: &Case| Path::new(first.strands, from, to, contacts).map_err(|error| case.locate(&error));
-        let starts = path(from, from, first)?.starts().map_err(|error| first.locate(&error))?;
-        let chosen = choose(&starts, walk.start)?;
-        let mut report = Self { contacts, starts, chosen, legs: Vec::new(), notes: Vec::new(), cases: Vec::new() };
-        let mut here = report.starts.get(chosen).copied();
-        let mut from = from;
-        for (case, &to) in cases.iter().zip(&data).skip(1) {
-            let Some(start) = here else { break };
-            from.ends = taken_over(from.ends, to.ends, &start);
-            let to = Data { ends: unnamed_stay(from.ends, to.ends, case), ..to };
-            let path = path(from, to, case)?;
-            let trace = path.trace(&Station { along: 0.0, ..start }, &route).map_err(|error| case.locate(&error))?;
-            here = trace.stations.last().copied().filter(|_| trace.end == End::Arrival);
-            report.legs.push(Leg { holding: path.holding(), trace });
-            from = to;
-        }
-        report.cases = cases;
-        report.notes = report.told();
-        Ok(report)
+        let route =
+            Route { curvature_limit: walk.curvature_limit, strain_limit: walk.strain_limit, ..Route::default() };
+        Ok(Self {
+            kind: match first.question {
+                Question::Stretched { .. } => Kind::Stretching(Walked::<StretchStation>::of(cases, walk, &route)?),
+                _ => Kind::Stiff(Walked::<Station>::of(cases, walk, &route)?),
+            },
+        })
     }
 
-    /// The states that one can start from.
+    /// The path of strands that do not stretch.
+    const fn stiff(&self) -> Option<&Walked<Station>> {
+        match &self.kind {
+            Kind::Stiff(walked) => Some(walked),
+            Kind::Stretching(_) => None,
+        }
+    }
+
+    /// The states that one can start from; none of strands that stretch.
     #[must_use]
     pub fn starts(&self) -> &[Station] {
-        &self.starts
+        self.stiff().map_or(&[], |walked| &walked.starts)
     }
 
-    /// Every station, with the number of its leg (from 1), in the order of the walk.
+    /// Every station, with the number of its leg (from 1), in the order of the walk; none of strands that stretch.
     pub fn stations(&self) -> impl Iterator<Item = (usize, &Station)> {
-        self.legs.iter().enumerate().flat_map(|(i, leg)| leg.trace.stations.iter().map(move |station| (i + 1, station)))
+        self.stiff().into_iter().flat_map(Walked::stations)
     }
 
-    /// Every event, with the number of its leg (from 1), in the order of the walk.
+    /// Every event, with the number of its leg (from 1), in the order of the walk; none of strands that stretch.
     pub fn events(&self) -> impl Iterator<Item = (usize, &Event)> {
-        self.legs.iter().enumerate().flat_map(|(i, leg)| leg.trace.events.iter().map(move |event| (i + 1, event)))
+        self.stiff().into_iter().flat_map(Walked::events)
     }
 
-    /// The last state reached; `None` where there was none to start from.
+    /// The last state reached; `None` where there was none to start from, and of strands that stretch.
     #[must_use]
     pub fn last(&self) -> Option<&Station> {
-        self.legs.last().and_then(|leg| leg.trace.stations.last())
+        self.stiff().and_then(Walked::last)
+    }
+
+    /// The legs of a path of strands that stretch, in order; none of those that do not.
+    pub fn stretch_traces(&self) -> impl Iterator<Item = &Trace<StretchStation>> {
+        let walked = match &self.kind {
+            Kind::Stretching(walked) => Some(walked),
+            Kind::Stiff(_) => None,
+        };
+        walked.into_iter().flat_map(|walked| walked.legs.iter().map(|leg| &leg.trace))
     }
 
     /// What a reader should know, a sentence each.
     #[must_use]
     pub fn notes(&self) -> &[String] {
-        &self.notes
+        match &self.kind {
+            Kind::Stiff(walked) => &walked.notes,
+            Kind::Stretching(walked) => &walked.notes,
+        }
+    }
+
+    /// The path as a table: its start, what happens on the way, its end.
+    #[must_use]
+    pub fn text(&self, emphasis: bool) -> String {
+        match &self.kind {
+            Kind::Stiff(walked) => walked.text(emphasis),
+            Kind::Stretching(walked) => walked.text(emphasis),
+        }
+    }
+
+    /// Every station as CSV.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        match &self.kind {
+            Kind::Stiff(walked) => walked.csv(),
+            Kind::Stretching(walked) => walked.csv(),
+        }
+    }
+
+    /// Every station and event as JSON.
+    #[must_use]
+    pub fn json(&self) -> String {
+        match &self.kind {
+            Kind::Stiff(walked) => walked.json(),
+            Kind::Stretching(walked) => walked.json(),
+        }
+    }
+
+    /// The path as a picture: angle and pressures against the one datum that changes, or against the share of the path.
+    #[must_use]
+    pub fn picture(&self) -> Picture {
+        match &self.kind {
+            Kind::Stiff(walked) => walked.picture(),
+            Kind::Stretching(walked) => walked.picture(),
+        }
+    }
+}
+
+impl<S: Stop> Walked<S> {
+    fn stations(&self) -> impl Iterator<Item = (usize, &S)> {
+        self.legs.iter().enumerate().flat_map(|(i, leg)| leg.trace.stations.iter().map(move |station| (i + 1, station)))
+    }
+
+    fn events(&self) -> impl Iterator<Item = (usize, &Event<S>)> {
+        self.legs.iter().enumerate().flat_map(|(i, leg)| leg.trace.events.iter().map(move |event| (i + 1, event)))
+    }
+
+    fn last(&self) -> Option<&S> {
+        self.legs.last().and_then(|leg| leg.trace.stations.last())
     }
 
     fn known(&self) -> Known {
@@ -200,6 +269,7 @@ pub(crate) fn data_of(case: &Case) -> Result<Data, SpecError> {
         Question::States { twist, load } => (twist, Ends::Loads(load), None),
         Question::Held { twist, ends } => (twist, ends, None),
         Question::Supported { twist, ends, core_radius } => (twist, ends, core_radius),
+        Question::Stretched { .. } => return Err(super::stretch::not_here(case, "this path or map")),
         _ => {
             let asked = |entry: &Entry| entry.key.table == Table::Lay || entry.key.datum == Datum::Separation;
             return Err(case.refuse(asked, |said| {
@@ -216,31 +286,51 @@ pub(crate) fn data_of(case: &Case) -> Result<Data, SpecError> {
     Ok(Data { stiffness_ratio: case.stiffness_ratio, twist, ends, core_radius })
 }
 
-/// Whether a leg keeps what is given of the twist, and the core.
-fn same_kind(case: &Case, from: &Data, to: &Data) -> Result<(), SpecError> {
-    if core::mem::discriminant(&from.twist) != core::mem::discriminant(&to.twist) {
-        return Err(case.refuse(
-            |entry| entry.key.group == Some(Group::Twist),
-            |said| {
-                format!("{said} is another kind of twist than the path begins with: give the pretwist on all legs, or the strand twist on all")
-            },
-        ));
+fn no_beginning() -> SpecError {
+    let message = "a path needs a beginning and at least one leg";
+    SpecError::new(ErrorKind::Missing, crate::Place::Flag("path".to_owned()), message)
+}
+
+/// The twist that is given.
+const fn twist_of(case: &Case) -> Option<Twist> {
+    match case.question {
+        Question::States { twist, .. }
+        | Question::MomentAt { twist, .. }
+        | Question::ForceAt { twist, .. }
+        | Question::SeparationAtForce { twist, .. }
+        | Question::SeparationAtMoment { twist, .. }
+        | Question::Held { twist, .. }
+        | Question::Supported { twist, .. }
+        | Question::Stretched { twist, .. } => Some(twist),
+        Question::PretwistAt { .. } => None,
     }
-    if from.core_radius.is_some() != to.core_radius.is_some() {
-        return Err(case.refuse(
-            |entry| entry.key.group == Some(Group::Support),
-            |said| {
-                format!(
-                    "{said} comes on the way: no leg brings a core where there was none; give it from the beginning"
-                )
-            },
-        ));
+}
+
+/// What is held, by the name used in JSON.
+const fn held_name(held: Clamped) -> &'static str {
+    match (held.length, held.rotation) {
+        (false, false) => Holding::DeadLoads.name(),
+        (false, true) => Holding::Rotation.name(),
+        (true, false) => Holding::Length.name(),
+        (true, true) => "both_held",
     }
-    Ok(())
+}
+
+/// Refuses a leg that gives another kind of twist.
+fn same_twist(case: &Case, from: Twist, to: Twist) -> Result<(), SpecError> {
+    if core::mem::discriminant(&from) == core::mem::discriminant(&to) {
+        return Ok(());
+    }
+    Err(case.refuse(
+        |entry| entry.key.group == Some(Group::Twist),
+        |said| {
+            format!("{said} is another kind of twist than the path begins with: give the pretwist on all legs, or the strand twist on all")
+        },
+    ))
 }
 
 /// The state to start from.
-fn choose(starts: &[Station], wanted: Option<usize>) -> Result<usize, SpecError> {
+fn choose<S: Stop>(starts: &[S], wanted: Option<usize>) -> Result<usize, SpecError> {
     match wanted {
         Some(number) if number >= 1 && number <= starts.len() => Ok(number - 1),
         // said below: there is none
@@ -253,37 +343,8 @@ fn choose(starts: &[Station], wanted: Option<usize>) -> Result<usize, SpecError>
             Err(SpecError::new(ErrorKind::Domain, crate::Place::Flag("start".to_owned()), message))
         }
         None => {
-            let presses = |s: &Station| s.stability == Some(Stability::Stable) && s.interstrand_pressure >= 0.0;
-            Ok(starts.iter().position(presses).or_else(|| starts.iter().position(|s| !s.is_separated())).unwrap_or(0))
+            let presses = |s: &S| s.verdict() == Some(Stability::Stable) && !s.separated();
+            Ok(starts.iter().position(presses).or_else(|| starts.iter().position(|s| !s.separated())).unwrap_or(0))
         }
     }
-}
-
-/// What a leg begins with where it holds what was free, or frees what was held: the state keeps it.
-fn taken_over(from: Ends, to: Ends, start: &Station) -> Ends {
-    match to {
-        _ if from.holding() == to.holding() => from,
-        Ends::Loads(_) => Ends::Loads(start.load),
-        Ends::Rotation { .. } => Ends::Rotation { rotation: start.rotation(), force: start.load.force },
-        Ends::Length { .. } => Ends::Length { extension: start.extension(), moment: start.load.moment },
-    }
-}
-
-/// What a leg leads to, with the loads that nobody gave as they are: one that held a displacement before is found, and stays.
-fn unnamed_stay(from: Ends, mut to: Ends, case: &Case) -> Ends {
-    let stays = |load: &mut f64, was: f64, datum| {
-        if !case.gives(datum) {
-            *load = was;
-        }
-    };
-    match (from, &mut to) {
-        (Ends::Loads(was), Ends::Loads(load)) => {
-            stays(&mut load.force, was.force, Datum::Force);
-            stays(&mut load.moment, was.moment, Datum::Moment);
-        }
-        (Ends::Rotation { force: was, .. }, Ends::Rotation { force, .. }) => stays(force, was, Datum::Force),
-        (Ends::Length { moment: was, .. }, Ends::Length { moment, .. }) => stays(moment, was, Datum::Moment),
-        _ => {}
-    }
-    to
 }

@@ -1,47 +1,47 @@
 //! A path as a picture.
 
-use nply::mechanics::{Data, Ends, Mark, Stability, Station, Twist};
+use nply::mechanics::{Axial, Grips, Mark, Stability, Station, StretchStation, Turning, Twist};
 
+use super::stop::Stop;
 use super::words::what;
-use super::{TraceReport, data_of};
-use crate::PreferredUnits;
+use super::{Walked, data_of, twist_of};
 use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape, Picture};
 use crate::report::{Known, Measure, Reading};
+use crate::{Case, PreferredUnits, Question};
 
 /// Stations of one verdict in a row, with their legs: its name, whether it is dashed.
-type Run<'t> = (&'static str, bool, Vec<(usize, &'t Station)>);
+type Run<'t, S> = (&'static str, bool, Vec<(usize, &'t S)>);
 
-impl TraceReport {
+impl<S: Drawn> Walked<S> {
     /// The path as a picture: angle and pressures against the one datum that changes, or against the share of the path.
-    #[must_use]
-    pub fn picture(&self) -> Picture {
+    pub(super) fn picture(&self) -> Picture {
         let known = self.known();
         let across = self.across();
-        let axis = |of: &Across| Axis::new(of.name.clone(), of.unit.clone());
+        let axis = |of: &Across<S>| Axis::new(of.name.clone(), of.unit.clone());
         let reading = |measure: Measure, largest: f64| match self.cases.first() {
             Some(case) => measure.reading(known, &case.units, largest),
             None => measure.reading(known, &PreferredUnits::default(), largest),
         };
-        let signed = |s: &Station| s.handedness.sign() * s.angle.degrees();
-        let largest = self.stations().fold(0.0, |most: f64, (_, s)| most.max(s.resultant_pressure.abs()));
+        let signed = |s: &S| s.hand().sign() * s.lay_angle().degrees();
+        let largest = self.stations().fold(0.0, |most: f64, (_, s)| most.max(S::largest(s)));
         let pressure = reading(Measure::ForcePerLength, largest);
         let title = self.cases.first().and_then(|case| case.title.clone()).unwrap_or_default();
         let mut angles = Chart::new(title, axis(&across), Axis::new("helical angle, left-handed below 0", "deg"));
         let mut pressures = Chart::new("", axis(&across), Axis::new("pressure", pressure.unit.clone()));
         for (name, dashed, run) in self.runs() {
-            let curve = |value: &dyn Fn(&Station) -> f64, name: &str, colour: usize| {
+            let curve = |value: &dyn Fn(&S) -> f64, name: &str, colour: usize| {
                 let points: Vec<(f64, f64)> = run.iter().map(|(leg, s)| ((across.of)(*leg, s), value(s))).collect();
                 let curve = Curve::new(name, points).with_colour(colour);
                 if dashed { curve.dashed() } else { curve }
             };
             angles = angles.with_curve(curve(&signed, name, 0));
             pressures = pressures.with_curve(curve(
-                &|s| s.interstrand_pressure * pressure.factor,
+                &|s| s.pressures()[0] * pressure.factor,
                 if dashed { "" } else { "neighbours p₁" },
                 0,
             ));
-            if self.cases.first().is_some_and(|case| data_of(case).is_ok_and(|data| data.core_radius.is_some())) {
-                let of_core = |s: &Station| s.core_pressure * pressure.factor;
+            if run.first().is_some_and(|(_, s)| s.has_core()) {
+                let of_core = |s: &S| s.pressures()[1] * pressure.factor;
                 pressures = pressures.with_curve(curve(&of_core, if dashed { "" } else { "core p_c" }, 1));
             }
         }
@@ -49,22 +49,21 @@ impl TraceReport {
             let (shape, colour) = shape(event.mark);
             let (x, s) = ((across.of)(leg, &event.station), &event.station);
             angles = angles.with_marker(Marker::new(what(event), x, signed(s), shape).with_colour(colour));
-            let p = s.interstrand_pressure * pressure.factor;
+            let p = s.pressures()[0] * pressure.factor;
             pressures = pressures.with_marker(Marker::new("", x, p, shape).with_colour(colour));
         }
         Picture::column([angles, pressures])
     }
 
     /// Stations in runs of one verdict, neighbouring runs sharing their border.
-    fn runs(&self) -> Vec<Run<'_>> {
-        let mut runs: Vec<Run<'_>> = Vec::new();
+    fn runs(&self) -> Vec<Run<'_, S>> {
+        let mut runs: Vec<Run<'_, S>> = Vec::new();
         for (leg, station) in self.stations() {
-            let dashed =
-                station.stability.is_some_and(|verdict| verdict != Stability::Stable) || station.is_separated();
-            let name = match (dashed, station.stability) {
+            let dashed = station.verdict().is_some_and(|verdict| verdict != Stability::Stable) || station.separated();
+            let name = match (dashed, station.verdict()) {
                 (false, None) => "p ≥ 0",
                 (false, Some(_)) => "stable",
-                (true, _) if station.is_separated() => "p < 0",
+                (true, _) if station.separated() => "p < 0",
                 (true, _) => "unstable",
             };
             match runs.last_mut() {
@@ -80,18 +79,17 @@ impl TraceReport {
     }
 
     /// What the picture's horizontal axis shows.
-    fn across(&self) -> Across {
+    fn across(&self) -> Across<S> {
         let shares = || Across {
             name: "legs walked".to_owned(),
             unit: String::new(),
-            of: Box::new(|leg, station| leg as f64 - 1.0 + station.along),
+            of: Box::new(|leg, station: &S| leg as f64 - 1.0 + station.along()),
         };
         let [from, to] = &self.cases[..] else { return shares() };
-        let (Ok(a), Ok(b)) = (data_of(from), data_of(to)) else { return shares() };
         let known = self.known();
-        let changing: Vec<&Datum> = DATA.iter().filter(|datum| (datum.of)(&a) != (datum.of)(&b)).collect();
+        let changing: Vec<&Datum<S>> = S::DATA.iter().filter(|datum| (datum.of)(from) != (datum.of)(to)).collect();
         let [datum] = changing[..] else { return shares() };
-        let largest = [&a, &b].into_iter().filter_map(|data| (datum.of)(data)).fold(0.0, |m: f64, v| m.max(v.abs()));
+        let largest = [from, to].into_iter().filter_map(|case| (datum.of)(case)).fold(0.0, |m: f64, v| m.max(v.abs()));
         let reading = (datum.reading)(known, &from.units, largest);
         let factor = reading.factor;
         let of = datum.at;
@@ -104,97 +102,136 @@ impl TraceReport {
 }
 
 /// The value at a station of a leg.
-type At = dyn Fn(usize, &Station) -> f64;
+type At<S> = dyn Fn(usize, &S) -> f64;
 
 /// What the horizontal axis of a picture shows.
-struct Across {
+struct Across<S> {
     name: String,
     unit: String,
-    of: Box<At>,
+    of: Box<At<S>>,
 }
 
 /// A datum that can change along a path: how it reads in the data, and at a station.
-struct Datum {
+pub(super) struct Datum<S> {
     label: &'static str,
     reading: fn(Known, &PreferredUnits, f64) -> Reading,
-    of: fn(&Data) -> Option<f64>,
-    at: fn(&Station) -> f64,
+    of: fn(&Case) -> Option<f64>,
+    at: fn(&S) -> f64,
 }
 
-const DATA: &[Datum] = &[
-    Datum {
-        label: "end force",
-        reading: |k, u, largest| Measure::Force.reading(k, u, largest),
-        of: |d| force(d.ends),
-        at: |s| s.load.force,
-    },
-    Datum {
-        label: "end moment",
-        reading: |k, u, largest| Measure::Moment.reading(k, u, largest),
-        of: |d| moment(d.ends),
-        at: |s| s.load.moment,
-    },
-    Datum {
-        label: "turns per strand length",
-        reading: Measure::turning,
-        of: |d| rotation(d.ends),
-        at: Station::rotation,
-    },
-    Datum { label: "ply length/strand length", reading: number, of: |d| extension(d.ends), at: Station::extension },
-    Datum { label: "pretwist", reading: Measure::twist, of: |d| pretwist(d.twist), at: Station::pretwist },
-    Datum { label: "strand twist", reading: Measure::twist, of: |d| strand_twist(d.twist), at: Station::strand_twist },
-    Datum { label: "stiffness ratio C/B", reading: number, of: |d| Some(d.stiffness_ratio), at: |s| s.stiffness_ratio },
-    Datum {
-        label: "core radius",
-        reading: |k, u, largest| Measure::Length.reading(k, u, largest),
-        of: |d| d.core_radius,
-        at: |s| s.core_radius.unwrap_or(f64::NAN),
-    },
-];
+/// What of a state goes into a picture.
+pub(super) trait Drawn: Stop {
+    /// The data that can change along its path.
+    const DATA: &'static [Datum<Self>];
+
+    /// The size of what presses.
+    fn largest(&self) -> f64;
+}
+
+const fn force<S>(of: fn(&Case) -> Option<f64>, at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "end force", reading: |k, u, largest| Measure::Force.reading(k, u, largest), of, at }
+}
+
+const fn moment<S>(of: fn(&Case) -> Option<f64>, at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "end moment", reading: |k, u, largest| Measure::Moment.reading(k, u, largest), of, at }
+}
+
+const fn rotation<S>(of: fn(&Case) -> Option<f64>, at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "turns per strand length", reading: Measure::turning, of, at }
+}
+
+const fn extension<S>(of: fn(&Case) -> Option<f64>, at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "ply length/strand length", reading: number, of, at }
+}
+
+const fn pretwist<S>(at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "pretwist", reading: Measure::twist, of: given_pretwist, at }
+}
+
+const fn strand_twist<S>(at: fn(&S) -> f64) -> Datum<S> {
+    Datum { label: "strand twist", reading: Measure::twist, of: given_strand_twist, at }
+}
+
+impl Drawn for Station {
+    const DATA: &'static [Datum<Self>] = &[
+        force(|c| along(c, false), |s| s.load.force),
+        moment(|c| around(c, false), |s| s.load.moment),
+        rotation(|c| around(c, true), Self::rotation),
+        extension(|c| along(c, true), Self::extension),
+        pretwist(Self::pretwist),
+        strand_twist(Self::strand_twist),
+        Datum {
+            label: "stiffness ratio C/B",
+            reading: number,
+            of: |case| Some(case.stiffness_ratio),
+            at: |s| s.stiffness_ratio,
+        },
+        Datum {
+            label: "core radius",
+            reading: |k, u, largest| Measure::Length.reading(k, u, largest),
+            of: |case| data_of(case).ok()?.core_radius,
+            at: |s| s.core_radius.unwrap_or(f64::NAN),
+        },
+    ];
+
+    fn largest(&self) -> f64 {
+        self.resultant_pressure.abs()
+    }
+}
+
+impl Drawn for StretchStation {
+    const DATA: &'static [Datum<Self>] = &[
+        force(|c| along(c, false), |s| s.state.load().force),
+        moment(|c| around(c, false), |s| s.state.load().moment),
+        rotation(|c| around(c, true), |s| s.state.rotation()),
+        extension(|c| along(c, true), |s| s.state.extension()),
+        pretwist(|s| s.state.strand_twist() - s.state.rotation() * s.state.angle().cos()),
+        strand_twist(|s| s.state.strand_twist()),
+    ];
+
+    fn largest(&self) -> f64 {
+        let [neighbours, core, _] = self.pressures();
+        neighbours.abs().max(core.abs())
+    }
+}
 
 fn number(_: Known, _: &PreferredUnits, _: f64) -> Reading {
     Reading { factor: 1.0, unit: String::new() }
 }
 
-const fn force(ends: Ends) -> Option<f64> {
-    match ends {
-        Ends::Loads(load) => Some(load.force),
-        Ends::Rotation { force, .. } => Some(force),
-        Ends::Length { .. } => None,
+/// What is given along and around, of whatever strands.
+fn grips(case: &Case) -> Option<Grips> {
+    match case.question {
+        Question::Stretched { grips, .. } => Some(grips),
+        _ => data_of(case).ok().map(|data| data.ends.into()),
     }
 }
 
-const fn moment(ends: Ends) -> Option<f64> {
-    match ends {
-        Ends::Loads(load) => Some(load.moment),
-        Ends::Length { moment, .. } => Some(moment),
-        Ends::Rotation { .. } => None,
-    }
-}
-
-const fn rotation(ends: Ends) -> Option<f64> {
-    match ends {
-        Ends::Rotation { rotation, .. } => Some(rotation),
+/// Force given, or length ratio held.
+fn along(case: &Case, held: bool) -> Option<f64> {
+    match (grips(case)?.axial, held) {
+        (Axial::Force(value), false) | (Axial::Extension(value), true) => Some(value),
         _ => None,
     }
 }
 
-const fn extension(ends: Ends) -> Option<f64> {
-    match ends {
-        Ends::Length { extension, .. } => Some(extension),
+/// Moment given, or rotation held.
+fn around(case: &Case, held: bool) -> Option<f64> {
+    match (grips(case)?.turning, held) {
+        (Turning::Moment(value), false) | (Turning::Rotation(value), true) => Some(value),
         _ => None,
     }
 }
 
-const fn pretwist(twist: Twist) -> Option<f64> {
-    match twist {
+fn given_pretwist(case: &Case) -> Option<f64> {
+    match twist_of(case)? {
         Twist::Pretwist(pretwist) => Some(pretwist),
         Twist::StrandTwist(_) => None,
     }
 }
 
-const fn strand_twist(twist: Twist) -> Option<f64> {
-    match twist {
+fn given_strand_twist(case: &Case) -> Option<f64> {
+    match twist_of(case)? {
         Twist::StrandTwist(strand_twist) => Some(strand_twist),
         Twist::Pretwist(_) => None,
     }
@@ -209,6 +246,7 @@ const fn shape(mark: Mark) -> (MarkerShape, usize) {
         Mark::Diagonal => (MarkerShape::Diamond, 2),
         Mark::MostTurns => (MarkerShape::Triangle, 4),
         Mark::CurvatureLimit => (MarkerShape::Plus, 5),
+        Mark::StrainLimit => (MarkerShape::Plus, 2),
         Mark::Straight => (MarkerShape::Square, 6),
         Mark::Buckling => (MarkerShape::Circle, 3),
     }

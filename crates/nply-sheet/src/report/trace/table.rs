@@ -1,48 +1,23 @@
 //! A path as a table, as CSV and as JSON.
 
-use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
-use nply::mechanics::{Contacts, End, Event, Holding, Stability, Station, Twist};
+use nply::mechanics::{Contacts, End, Event, Stability, Twist};
 use serde_json::{Map, Value, json};
 
+use super::stop::Stop;
 use super::words::{carried_by, ended, what};
-use super::{TraceReport, data_of};
+use super::{Walked, held_name, twist_of};
 use crate::Case;
 use crate::report::csv::unit_suffix;
-use crate::report::item::{Item, Reader, item, numbers, of_hand, units};
+use crate::report::item::{Item, Reader, numbers, of_hand, units};
 use crate::report::json::header;
 use crate::report::text::{Emphasis, Row, hand, lay_out, title};
 use crate::report::{Known, Measure};
 
-/// Every number of a station, in the order of the report.
-const STATION: &[Item<Station>] = {
-    use Measure::{Degrees, Force, ForcePerLength, Length, Moment, Number, TurnsPerLength};
-    &[
-        item("", "helical_angle_deg", "angle", Degrees, |s| Some(s.angle.degrees())),
-        item("", "radius_ratio", "R/r", Number, |s| Some(s.radius_ratio)),
-        item("", "extension", "length ratio", Number, |s| Some(s.extension())),
-        item("", "rotation", "", Number, |s| Some(s.rotation())),
-        item("", "turns_per_strand_length", "turns", TurnsPerLength, |s| Some(s.rotation().abs() / TAU)),
-        item("", "curvature", "", Measure::PerLength, |s| Some(s.curvature())),
-        item("", "pretwist", "pretwist", Number, |s| Some(s.pretwist())),
-        item("", "pretwist_per_length", "pretwist", TurnsPerLength, |s| Some(s.pretwist() / TAU)),
-        item("", "strand_twist", "r u₃", Number, |s| Some(s.strand_twist())),
-        item("", "strand_twist_per_length", "strand twist", TurnsPerLength, |s| Some(s.strand_twist() / TAU)),
-        item("", "stiffness_ratio", "C/B", Number, |s| Some(s.stiffness_ratio)),
-        item("", "core_radius", "core", Length, |s| s.core_radius),
-        item("", "force", "force", Force, |s| Some(s.load.force)),
-        item("", "moment", "moment", Moment, |s| Some(s.load.moment)),
-        item("", "resultant_pressure", "", ForcePerLength, |s| Some(s.resultant_pressure)),
-        item("", "interstrand_pressure", "p₁", ForcePerLength, |s| Some(s.interstrand_pressure)),
-        item("", "core_pressure", "p_c", ForcePerLength, |s| s.core_radius.map(|_| s.core_pressure)),
-    ]
-};
-
-impl TraceReport {
+impl<S: Stop> Walked<S> {
     /// The path as a table: its start, what happens on the way, its end.
-    #[must_use]
-    pub fn text(&self, emphasis: bool) -> String {
+    pub(super) fn text(&self, emphasis: bool) -> String {
         let Some(case) = self.cases.first() else { return String::new() };
         let emphasis = &Emphasis(emphasis);
         let reader = Reader { known: self.known(), units: &case.units, emphasis };
@@ -63,22 +38,21 @@ impl TraceReport {
     }
 
     /// One line for each of the stations shown; of the numbers those that change on the way.
-    fn table(&self, shown: &[(String, Station)], reader: &Reader<'_>) -> Vec<Row> {
-        const ALWAYS: [&str; 5] = ["helical_angle_deg", "radius_ratio", "force", "moment", "interstrand_pressure"];
-        let all: Vec<Station> = shown.iter().map(|(_, station)| *station).collect();
-        let changes = |item: &Item<Station>| all.iter().any(|station| item.of(station) != item.of(&all[0]));
-        let of_core = |item: &Item<Station>| item.name == "core_pressure" && all[0].core_radius.is_some();
-        let kept = |item: &&Item<Station>| {
+    fn table(&self, shown: &[(String, S)], reader: &Reader<'_>) -> Vec<Row> {
+        let all: Vec<S> = shown.iter().map(|(_, station)| *station).collect();
+        let changes = |item: &Item<S>| all.iter().any(|station| item.of(station) != item.of(&all[0]));
+        let of_core = |item: &Item<S>| item.name == "core_pressure" && all[0].has_core();
+        let kept = |item: &&Item<S>| {
             let name = item.name;
             !item.label.is_empty()
-                && (ALWAYS.contains(&name)
+                && (S::ALWAYS.contains(&name)
                     || of_core(item)
                     || self.given(name) && changes(item)
-                    || name == "extension" && self.holds(Holding::Length)
-                    || name == "turns_per_strand_length" && self.holds(Holding::Rotation))
+                    || name == "extension" && self.legs.iter().any(|leg| leg.held.length)
+                    || name == "turns_per_strand_length" && self.legs.iter().any(|leg| leg.held.rotation))
         };
         let columns: Vec<(&str, Row)> =
-            STATION.iter().filter(kept).filter_map(|item| Some((item.label, column(item, reader, &all)?))).collect();
+            S::NUMBERS.iter().filter(kept).filter_map(|item| Some((item.label, column(item, reader, &all)?))).collect();
         let row = |label: String, first: [&str; 4], cells: &dyn Fn(&(&str, Row)) -> String| Row {
             label,
             unit: first[0].to_owned(),
@@ -89,21 +63,17 @@ impl TraceReport {
             row(String::new(), [""; 4], &|(_, column)| column.unit.clone()),
         ];
         for (i, (label, station)) in shown.iter().enumerate() {
-            let share = format!("{:.4}", station.along);
-            let verdict = station.stability.map_or("–", Stability::name);
-            let first = [share.as_str(), hand(station.handedness), carried_by(station), verdict];
+            let share = format!("{:.4}", station.along());
+            let verdict = station.verdict().map_or("–", Stability::name);
+            let first = [share.as_str(), hand(station.hand()), carried_by(station), verdict];
             rows.push(row(label.clone(), first, &|(_, column)| column.cells[i].clone()));
         }
         rows
     }
 
-    fn holds(&self, holding: Holding) -> bool {
-        self.legs.iter().any(|leg| leg.holding == holding)
-    }
-
     /// Whether a number is one of the data besides the ends', and not found; a twist as turns per length where the strand has a size.
     fn given(&self, name: &str) -> bool {
-        let held = |case: &Case| data_of(case).is_ok_and(|data| matches!(data.twist, Twist::StrandTwist(_)));
+        let held = |case: &Case| matches!(twist_of(case), Some(Twist::StrandTwist(_)));
         let strand_twist = self.cases.first().is_some_and(held);
         let per_length = self.known().strand_radius.is_some();
         match name {
@@ -117,7 +87,7 @@ impl TraceReport {
     }
 
     /// Start, events and end, each with its leg and a word for it.
-    fn shown(&self) -> Vec<(String, Station)> {
+    fn shown(&self) -> Vec<(String, S)> {
         let mut shown = Vec::new();
         for (i, leg) in self.legs.iter().enumerate() {
             let number = i + 1;
@@ -133,26 +103,25 @@ impl TraceReport {
     }
 
     /// Every station as CSV.
-    #[must_use]
-    pub fn csv(&self) -> String {
+    pub(super) fn csv(&self) -> String {
         let known = self.known();
-        let si: Vec<_> = STATION.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
+        let si: Vec<_> = S::NUMBERS.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
         let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
         let mut head: Vec<String> =
             ["leg", "along", "handedness", "lay", "support", "stability"].map(String::from).into();
-        head.extend(STATION.iter().map(|item| item.name.to_owned()));
+        head.extend(S::NUMBERS.iter().map(|item| item.name.to_owned()));
         head.extend(si.iter().map(|(item, (_, unit))| format!("{}_{}", item.name, unit_suffix(unit))));
         let mut out = head.join(",") + "\n";
         for (leg, station) in self.stations() {
             let mut cells = vec![
                 leg.to_string(),
-                number(Some(station.along)),
-                station.handedness.sign().to_string(),
-                station.handedness.lay_letter().to_string(),
-                station.support.name().to_owned(),
-                station.stability.map_or("", Stability::name).to_owned(),
+                number(Some(station.along())),
+                station.hand().sign().to_string(),
+                station.hand().lay_letter().to_string(),
+                station.carried().name().to_owned(),
+                station.verdict().map_or("", Stability::name).to_owned(),
             ];
-            cells.extend(STATION.iter().map(|item| number(item.of(station))));
+            cells.extend(S::NUMBERS.iter().map(|item| number(item.of(station))));
             cells.extend(si.iter().map(|(item, (factor, _))| number(item.of(station).map(|value| value * factor))));
             out += &(cells.join(",") + "\n");
         }
@@ -160,8 +129,7 @@ impl TraceReport {
     }
 
     /// Every station and event as JSON.
-    #[must_use]
-    pub fn json(&self) -> String {
+    pub(super) fn json(&self) -> String {
         let known = self.known();
         let mut top = header();
         if let Some(case) = self.cases.first() {
@@ -172,15 +140,15 @@ impl TraceReport {
             top.insert("balance".into(), json!(case.balance.name()));
         }
         top.insert("contacts".into(), json!(if self.contacts == Contacts::Unilateral { "unilateral" } else { "kept" }));
-        let units: Map<String, Value> = units(STATION, known).collect();
+        let units: Map<String, Value> = units(S::NUMBERS, known).collect();
         if !units.is_empty() {
             top.insert("si_units".into(), Value::Object(units));
         }
-        let station = |station: &Station| object(station, known);
+        let station = |station: &S| object(station, known);
         top.insert("starts".into(), self.starts.iter().map(station).collect());
         top.insert("start".into(), json!(self.starts.get(self.chosen).map(|_| self.chosen + 1)));
         let legs = self.legs.iter().map(|leg| {
-            let event = |event: &Event| {
+            let event = |event: &Event<S>| {
                 let mut object = Map::new();
                 object.insert("event".into(), json!(event.mark.name()));
                 object.insert("before_station".into(), json!(event.before));
@@ -190,7 +158,7 @@ impl TraceReport {
                 Value::Object(object)
             };
             json!({
-                "holding": leg.holding.name(),
+                "holding": held_name(leg.held),
                 "end": leg.trace.end.name(),
                 "events": leg.trace.events.iter().map(event).collect::<Vec<_>>(),
                 "stations": leg.trace.stations.iter().map(station).collect::<Vec<_>>(),
@@ -203,7 +171,7 @@ impl TraceReport {
 }
 
 /// The numbers of a column; what is nothing beside the largest of them is 0, as where a contact opens or strands run straight.
-fn column(item: &Item<Station>, reader: &Reader<'_>, all: &[Station]) -> Option<Row> {
+fn column<S: Stop>(item: &Item<S>, reader: &Reader<'_>, all: &[S]) -> Option<Row> {
     const NOTHING: f64 = 1e-13;
     let mut row = reader.row(item, "", all)?;
     // a radius is never nothing, however far free helices open
@@ -219,13 +187,13 @@ fn column(item: &Item<Station>, reader: &Reader<'_>, all: &[Station]) -> Option<
     Some(row)
 }
 
-fn object(station: &Station, known: Known) -> Value {
+fn object<S: Stop>(station: &S, known: Known) -> Value {
     let mut object = Map::new();
-    object.insert("along".into(), json!(station.along));
-    object.extend(of_hand(station.handedness));
-    object.insert("support".into(), json!(station.support.name()));
-    object.insert("separated".into(), json!(station.is_separated()));
-    object.insert("stability".into(), json!(station.stability.map(Stability::name)));
-    object.insert("helical_angle".into(), json!(station.angle.radians()));
-    Value::Object(numbers(object, STATION, station, known))
+    object.insert("along".into(), json!(station.along()));
+    object.extend(of_hand(station.hand()));
+    object.insert("support".into(), json!(station.carried().name()));
+    object.insert("separated".into(), json!(station.separated()));
+    object.insert("stability".into(), json!(station.verdict().map(Stability::name)));
+    object.insert("helical_angle".into(), json!(station.lay_angle().radians()));
+    Value::Object(numbers(object, S::NUMBERS, station, known))
 }

@@ -1,34 +1,30 @@
 //! States and events on a path in a few words.
 
 use nply::Handedness;
-use nply::mechanics::{End, Event, Mark, Station, Support};
+use nply::mechanics::{End, Event, Mark, Support};
 
-/// Whether neighbours have to pull, and not only by the rounding of a pressure that is 0.
-fn pulls(station: &Station) -> bool {
-    const NOTHING: f64 = 1e-14;
-    station.interstrand_pressure < -NOTHING
-}
+use super::stop::Stop;
 
 /// A state in a few words.
-pub(super) fn brief(station: &Station) -> String {
+pub(super) fn brief<S: Stop>(station: &S) -> String {
     // 0.000° in the words below
-    if station.angle.degrees() < 5e-4 {
+    if station.lay_angle().degrees() < 5e-4 {
         return "straight".to_owned();
     }
-    let side = if station.handedness == Handedness::Right { "right" } else { "left" };
-    let how = match station.support {
-        Support::Neighbours if pulls(station) => ", p < 0",
+    let side = if station.hand() == Handedness::Right { "right" } else { "left" };
+    let how = match station.carried() {
+        Support::Neighbours if station.pulls() => ", p < 0",
         Support::Neighbours => "",
         Support::Core => " on the core",
         Support::Both => " touching on the core",
         Support::Free => " free",
     };
-    format!("{side} {:.3}°{how}", station.angle.degrees())
+    format!("{side} {:.3}°{how}", station.lay_angle().degrees())
 }
 
-pub(super) fn carried_by(station: &Station) -> &'static str {
-    match station.support {
-        Support::Neighbours if pulls(station) => "pulling",
+pub(super) fn carried_by<S: Stop>(station: &S) -> &'static str {
+    match station.carried() {
+        Support::Neighbours if station.pulls() => "pulling",
         Support::Neighbours => "neighbours",
         Support::Core => "core",
         Support::Both => "both",
@@ -37,13 +33,13 @@ pub(super) fn carried_by(station: &Station) -> &'static str {
 }
 
 /// An event in a few words.
-pub(super) fn what(event: &Event) -> String {
+pub(super) fn what<S: Stop>(event: &Event<S>) -> String {
     let words = word(event);
     if event.jump.is_some() { format!("{words}, jump") } else { words.to_owned() }
 }
 
 /// What ends the stable states, in a sentence.
-pub(super) fn happened(event: &Event) -> &'static str {
+pub(super) fn happened<S: Stop>(event: &Event<S>) -> &'static str {
     match event.mark {
         Mark::Fold => "there two states meet in a fold",
         Mark::ContactChange(Support::Free) => "there the ply opens",
@@ -54,7 +50,7 @@ pub(super) fn happened(event: &Event) -> &'static str {
     }
 }
 
-const fn word(event: &Event) -> &'static str {
+const fn word<S>(event: &Event<S>) -> &'static str {
     match event.mark {
         Mark::Arrival => "arrives",
         Mark::Fold => "fold",
@@ -66,6 +62,7 @@ const fn word(event: &Event) -> &'static str {
         Mark::Diagonal => "45°",
         Mark::MostTurns => "most turns",
         Mark::CurvatureLimit => "curvature limit",
+        Mark::StrainLimit => "strain limit",
         Mark::Straight => "straight",
         Mark::Buckling => "buckles",
     }
@@ -78,6 +75,7 @@ pub(super) const fn ended(end: End) -> &'static str {
         End::FlatRings => "flat rings",
         End::Apart => "apart",
         End::UnboundedLoad => "no end of load",
+        End::Overstretched => "overstretched",
         End::Stalled => "stops",
     }
 }
@@ -92,6 +90,9 @@ pub(super) const fn why(end: End) -> &'static str {
         End::Apart => "the strands lose each other and open without bound",
         End::UnboundedLoad => {
             "the load that holds the displacement grows without bound, as no more turns or no shorter ply can be had"
+        }
+        End::Overstretched => {
+            "strands come to be stretched to less than half or more than double their length, where linear elasticity means nothing"
         }
         End::Stalled => "the branch could not be followed further",
     }

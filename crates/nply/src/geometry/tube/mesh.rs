@@ -32,11 +32,11 @@ pub enum Fit {
 /// The triangles of a tube. One closed surface: every edge belongs to two of them, and corners stand once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TubeMesh {
-    /// Corners, in units of r: rings from end to end, each starting at the material line β = 0, then those within the ends.
+    /// Corners, in units of r: rings from end to end, each starting at the material line μ = 0, then those within the ends.
     pub positions: Vec<Vector>,
     /// Unit normals of the tube at the corners; of its ends, within these.
     pub normals: Vec<Vector>,
-    /// t and β of each corner.
+    /// t and μ of each corner.
     pub parameters: Vec<[f64; 2]>,
     /// Corners by number, counter-clockwise from outside: first the sides, then the ends.
     pub triangles: Vec<[u32; 3]>,
@@ -251,29 +251,29 @@ impl Tube {
     /// The corners of ring i.
     fn ring(&self, facets: Facets, i: u32, share: f64) -> Result<Vec<Corner>, DomainError> {
         let up = f64::from(i) / f64::from(facets.along);
-        let beta = |j: u32| TAU * f64::from(j) / f64::from(facets.around);
-        (0..facets.around).map(|j| self.corner(up, beta(j), share)).collect()
+        let mu = |j: u32| TAU * f64::from(j) / f64::from(facets.around);
+        (0..facets.around).map(|j| self.corner(up, mu(j), share)).collect()
     }
 
-    /// The point of the material line β at a share of the way up and of the radius.
-    fn corner(&self, up: f64, beta: f64, share: f64) -> Result<Corner, DomainError> {
+    /// The point of the material line μ at a share of the way up and of the radius.
+    fn corner(&self, up: f64, mu: f64, share: f64) -> Result<Corner, DomainError> {
         const ROUNDS: u32 = 200;
         let [start, end] = self.parameters();
         let level = |from: f64, to: f64| if up < 1.0 { from + up * (to - from) } else { to };
         let mut t = level(start, end);
         if self.ends == Ends::Square {
-            return Ok(Corner { position: self.inside(t, self.material_angle(t, beta), share), t, beta });
+            return Ok(Corner { position: self.inside(t, self.section_angle(t, mu), share), t, mu });
         }
         // flush rings lie in planes
         let z = level(self.from, self.to);
         for _ in 0..ROUNDS {
-            let mut position = self.inside(t, self.material_angle(t, beta), share);
+            let mut position = self.inside(t, self.section_angle(t, mu), share);
             let place = self.course.place(t);
             let step = (z - position[2]) / (place.speed * place.tangent[2]);
             t += step;
             if step.abs() <= 3e-14 * (1.0 + t.abs()) {
                 position[2] = z;
-                return Ok(Corner { position, t, beta });
+                return Ok(Corner { position, t, mu });
             }
         }
         Err(DomainError {
@@ -298,7 +298,7 @@ impl Tube {
             }
         }
         let sides = triangles.len();
-        let normals = corners.iter().map(|corner| self.normal(corner.t, self.material_angle(corner.t, corner.beta)));
+        let normals = corners.iter().map(|corner| self.normal(corner.t, self.section_angle(corner.t, corner.mu)));
         let mut normals: Vec<Vector> = normals.collect();
         let [start, end] = self.parameters();
         let end_normals = match self.ends {
@@ -311,7 +311,7 @@ impl Tube {
         }
         Ok(TubeMesh {
             positions: corners.iter().map(|corner| corner.position).collect(),
-            parameters: corners.iter().map(|corner| [corner.t, corner.beta]).collect(),
+            parameters: corners.iter().map(|corner| [corner.t, corner.mu]).collect(),
             normals,
             triangles,
             sides,
@@ -383,7 +383,7 @@ impl Tube {
 struct Corner {
     position: Vector,
     t: f64,
-    beta: f64,
+    mu: f64,
 }
 
 /// A facet in two triangles; its corners run below, above, above and next, below and next.

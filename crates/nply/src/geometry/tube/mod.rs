@@ -24,7 +24,7 @@ pub enum Ends {
 /// A strand, wire or core with its surface. Lengths in units of r.
 ///
 /// A place on it is given by the course's parameter t and the angle α round the section, counted as in (10): α = 0 along the binormal,
-/// π/2 towards the axis. Material lines turn round the section: α = β − twist·t stays on the line β.
+/// π/2 towards the axis. Material lines turn round the section: α = μ − twist·t stays on the line μ.
 ///
 /// ```
 /// use nply::Handedness::Right;
@@ -161,10 +161,10 @@ impl Tube {
         core::array::from_fn(|i| place.position[i] + radius * (sin * place.inward[i] + cos * place.binormal[i]))
     }
 
-    /// The angle α of the material line β at parameter t.
+    /// The angle α of the material line μ at parameter t.
     #[must_use]
-    pub fn material_angle(&self, t: f64, beta: f64) -> f64 {
-        beta - self.twist * t
+    pub fn section_angle(&self, t: f64, mu: f64) -> f64 {
+        mu - self.twist * t
     }
 
     /// How far a point lies outside the tube's surface, endless tube; negative inside. In units of r.

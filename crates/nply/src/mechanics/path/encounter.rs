@@ -2,26 +2,27 @@
 
 use core::f64::consts::FRAC_PI_4;
 
+use super::course::{Course, Stop};
 use super::regime::Regime;
 use super::station::{Event, Mark};
 use super::walk::{Trace, Walk};
-use crate::mechanics::{Stability, Support};
+use crate::mechanics::Support;
 use crate::numerics::linear::{Vector, dot};
 
 /// A direction along which the share of the path does not change, but for rounding.
 const NOISE: f64 = 1e-10;
 
-impl Walk<'_> {
+impl<C: Course> Walk<'_, C> {
     /// The numbers whose change of sign is an event, with the fold's.
     pub(super) fn marks(&self, z: &Vector, ahead: &Vector) -> Vec<(Mark, f64)> {
-        let mut marks = self.here(z).marks(self.regime, self.route.curvature_limit);
+        let mut marks = self.course.marks(self.regime, z, self.route);
         marks.extend([(Mark::Fold, ahead[3]), (Mark::Arrival, z[3] - 1.0), (Mark::Straight, z[0])]);
         marks
     }
 
     /// Two strands at π/4, where the radius begins to grow: the branch has a corner, at which it may turn back sharply. Goes to the
     /// other side, if this is the place; a fold if the path turns there.
-    pub(super) fn round_the_corner(&mut self, trace: &mut Trace) -> bool {
+    pub(super) fn round_the_corner(&mut self, trace: &mut Trace<C::Stop>) -> bool {
         const NEAR: f64 = 1e-7;
         let past = self.z[0].abs() - FRAC_PI_4;
         if past.abs() > NEAR || self.regime.support() != Support::Neighbours {
@@ -40,8 +41,8 @@ impl Walk<'_> {
         }
         let (station, at) = (self.station(&corner), trace.stations.len());
         if before * self.ahead[3] < 0.0 {
-            let ended = trace.stations.last().is_some_and(|last| last.stability == Some(Stability::Stable));
-            let jump = ended.then(|| self.path.landings(&station, corner[3] + before.signum() * 1e-11));
+            let ended = trace.stations.last().is_some_and(Stop::is_stable);
+            let jump = ended.then(|| self.course.landings(&station, corner[3] + before.signum() * 1e-11));
             trace.push(Event { mark: Mark::Fold, station, before: at, jump });
         }
         trace.push(Event { mark: Mark::Diagonal, station, before: at, jump: None });
@@ -63,7 +64,8 @@ impl Walk<'_> {
             };
             if crossed {
                 let (at, mut z) = self.locate(i, *b < 0.0, step, next)?;
-                let at_corner = self.path.strands == 2 && *mark == Mark::Fold && (z[0].abs() - FRAC_PI_4).abs() < 1e-7;
+                let at_corner =
+                    self.course.strands() == 2 && *mark == Mark::Fold && (z[0].abs() - FRAC_PI_4).abs() < 1e-7;
                 if *mark == Mark::Diagonal || at_corner {
                     // two strands have a corner here, next to which a step converges slowly
                     z = self.settled_at_angle([z[0].signum() * FRAC_PI_4, z[1], z[2], z[3]]).unwrap_or(z);
@@ -109,7 +111,7 @@ impl Walk<'_> {
         let probe = (1e-4 * self.z[0].abs()).clamp(1e-10, 1e-6);
         // the contact that opens must open, the one that closes must press
         let watched = |walk: &Self, z: &Vector| {
-            let marks = walk.here(z).marks(walk.regime, None);
+            let marks = walk.course.marks(walk.regime, z, walk.route);
             marks.iter().find(|(mark, _)| *mark == Mark::ContactChange(old)).map(|(_, value)| *value)
         };
         for sense in [1.0, -1.0] {
@@ -124,12 +126,12 @@ impl Walk<'_> {
 
     /// Whether the branch just ahead is stable.
     pub(super) fn stable_ahead(&self) -> bool {
-        self.arrive(1e-6).is_some_and(|z| self.station(&z).stability == Some(Stability::Stable))
+        self.arrive(1e-6).is_some_and(|z| self.station(&z).is_stable())
     }
 
     /// Whether the branch just before a place within this step is stable.
     pub(super) fn stable_before(&self, z: &Vector, at: f64) -> bool {
         let z = self.arrive((at - 1e-6).max(0.0)).unwrap_or(*z);
-        self.station(&z).stability == Some(Stability::Stable)
+        self.station(&z).is_stable()
     }
 }

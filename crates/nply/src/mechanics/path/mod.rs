@@ -1,20 +1,24 @@
 //! Following a state as its data change: through folds, over contacts that open and close.
 
+mod course;
 mod encounter;
 mod regime;
 mod station;
 mod step;
+mod stiff;
 mod walk;
+
+pub(in crate::mechanics) use course::{Course, Stop, hand, touch};
+pub(in crate::mechanics) use regime::{FLATTEST, Regime};
+pub(in crate::mechanics) use walk::Walk;
 
 pub use station::{Event, Mark, Station};
 pub use walk::{End, Trace};
 
-use regime::Regime;
-
 use super::support::check_core;
 use super::{Balance, Ends, Equilibrium, Holding, Load, Ply, SupportedState, Twist};
+use crate::DomainError;
 use crate::numerics::linear::Vector;
-use crate::{DomainError, Handedness};
 
 /// Everything that fixes the states of given strands, dimensionless (r = B = 1).
 ///
@@ -80,14 +84,32 @@ pub struct Route {
     pub window: (f64, f64),
     /// The longest step along the branch, in rad of the angle, in rotation, or in the share of the path.
     pub step: f64,
-    /// r κ, the strain of the outer fibre, beyond which strands would be hurt; passing it is an event.
+    /// r κ, the strain of the outer fibre by bending, beyond which strands would be hurt; passing it is an event. Of strands formed
+    /// beforehand what counts is the change of curvature.
     pub curvature_limit: Option<f64>,
+    /// Strain of the outermost fibre, from stretch and bending together, beyond which strands would be hurt; passing it is an event.
+    pub strain_limit: Option<f64>,
 }
 
 impl Default for Route {
     /// To the far end, in steps that draw a smooth curve.
     fn default() -> Self {
-        Self { stop_at_arrival: true, window: (0.0, 1.0), step: 0.02, curvature_limit: None }
+        Self { stop_at_arrival: true, window: (0.0, 1.0), step: 0.02, curvature_limit: None, strain_limit: None }
+    }
+}
+
+impl Route {
+    fn check(&self) -> Result<(), DomainError> {
+        let (low, high) = self.window;
+        let allowed = "from at most 0 to at least 1";
+        DomainError::check(low <= 0.0 && high >= 1.0 && high - low < 1e9, "window", low, allowed)?;
+        DomainError::check((1e-6..=0.2).contains(&self.step), "step", self.step, "between 1e-6 and 0.2")?;
+        for (name, limit) in [("curvature_limit", self.curvature_limit), ("strain_limit", self.strain_limit)] {
+            if let Some(limit) = limit {
+                DomainError::check(limit > 0.0, name, limit, "greater than 0")?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -203,9 +225,4 @@ impl Data {
         }
         self.core_radius.map_or(Ok(()), |radius| check_core(radius).map(drop))
     }
-}
-
-/// The hand of a signed angle.
-fn hand(signed: f64) -> Handedness {
-    if signed < 0.0 { Handedness::Left } else { Handedness::Right }
 }

@@ -2,7 +2,8 @@
 //!
 //! Coordinates: Θ = εθ, Y = ε sin θ/ρ, the load that is found where a displacement is held, and the share of the path.
 
-use super::{Contacts, Path};
+use super::course::touch;
+use super::{Contacts, Path, Route};
 use crate::geometry::{Contact, HelicalAngle};
 use crate::mechanics::potential::{Potential, Slopes};
 use crate::mechanics::{Balance, Ends, Mark, Support, Twist};
@@ -11,7 +12,7 @@ use crate::numerics::linear::Vector;
 
 /// What carries the strands, and whether it may let go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Regime {
+pub(in crate::mechanics) enum Regime {
     /// Contacts that push.
     On(Support),
     /// Neighbours kept together.
@@ -26,7 +27,7 @@ impl Regime {
         }
     }
 
-    pub(super) const fn support(self) -> Support {
+    pub(in crate::mechanics) const fn support(self) -> Support {
         match self {
             Self::On(support) => support,
             Self::Kept(_) => Support::Neighbours,
@@ -246,7 +247,7 @@ impl Here {
 
     /// What may happen in a regime: each mark with a number whose change of sign is the event. Contacts change where theirs,
     /// positive as long as they hold, turns negative.
-    pub(super) fn marks(&self, regime: Regime, curvature_limit: Option<f64>) -> Vec<(Mark, f64)> {
+    pub(super) fn marks(&self, regime: Regime, route: &Route) -> Vec<(Mark, f64)> {
         let outward = -self.eps * self.slopes.by_rotation; // p̂ρ/Y, whatever carries it
         let gap = self.eps * (self.touching.value - self.y);
         let core_gap = self.on_core.map(|core| self.eps * (self.s / core.value - self.y));
@@ -271,11 +272,12 @@ impl Here {
                 marks.extend(core_gap.map(|gap| (to(Support::Core), gap)));
             }
         }
-        if matches!(regime.support(), Support::Neighbours | Support::Both) {
+        if touch(regime.support()) {
             marks.push((Mark::MostTurns, self.share - 1.0));
         }
-        if let Some(limit) = curvature_limit {
-            marks.push((Mark::CurvatureLimit, (self.y * self.s).abs() - limit));
+        // strands that do not stretch are strained by bending alone
+        for (mark, limit) in [(Mark::CurvatureLimit, route.curvature_limit), (Mark::StrainLimit, route.strain_limit)] {
+            marks.extend(limit.map(|limit| (mark, (self.y * self.s).abs() - limit)));
         }
         marks
     }
@@ -292,7 +294,7 @@ impl Here {
 }
 
 /// So near to flat rings the walk ends.
-pub(super) const FLATTEST: f64 = core::f64::consts::FRAC_PI_2 - 1e-9;
+pub(in crate::mechanics) const FLATTEST: f64 = core::f64::consts::FRAC_PI_2 - 1e-9;
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,8 @@
 //! One state on the way, and what happens there.
 
+use super::course::hand;
 use super::regime::{Here, Regime};
-use super::{Contacts, Path, hand};
+use super::{Contacts, Path};
 use crate::Handedness;
 use crate::geometry::{Contact, HelicalAngle};
 use crate::mechanics::support::Place;
@@ -56,6 +57,8 @@ pub enum Mark {
     MostTurns,
     /// The curvature passes the limit that was set.
     CurvatureLimit,
+    /// The strain of the outermost fibre passes the limit that was set.
+    StrainLimit,
     /// θ = 0: the strands are straight, and the hand changes.
     Straight,
     /// Straight strands come under a thrust, under which each buckles by itself.
@@ -74,6 +77,7 @@ impl Mark {
             Self::Diagonal => "diagonal",
             Self::MostTurns => "most_turns",
             Self::CurvatureLimit => "curvature_limit",
+            Self::StrainLimit => "strain_limit",
             Self::Straight => "straight",
             Self::Buckling => "buckling",
         }
@@ -83,16 +87,16 @@ impl Mark {
 /// Something that happens on the way, and where: halved down to rounding, to 1e-10 as a rule. Next to straight strands, and where contacts
 /// change between branches that are nearly parallel, rounding leaves some 1e-8.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Event {
+pub struct Event<S = Station> {
     /// What.
     pub mark: Mark,
     /// Where.
-    pub station: Station,
+    pub station: S,
     /// The index of the first of the trace's stations behind it.
     pub before: usize,
     /// Where a stable state ends here: the stable states to which the ply can jump, nearest angle first. `None` where nothing ends;
     /// empty where nothing uniform is left to jump to.
-    pub jump: Option<Vec<Station>>,
+    pub jump: Option<Vec<S>>,
 }
 
 impl Station {
@@ -136,18 +140,6 @@ impl Station {
     #[must_use]
     pub fn is_separated(&self) -> bool {
         self.interstrand_pressure < 0.0
-    }
-
-    /// Whether two stations are the same place, to rounding.
-    pub(super) fn is_at(&self, other: &Self) -> bool {
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-        near(self.along, other.along)
-            && near(self.signed_angle(), other.signed_angle())
-            && near(self.rotation(), other.rotation())
-    }
-
-    fn signed_angle(&self) -> f64 {
-        self.handedness.sign() * self.angle.radians()
     }
 
     fn at(state: &SupportedState, stability: Option<Stability>) -> Self {

@@ -2,36 +2,22 @@
 
 use core::f64::consts::FRAC_PI_4;
 
-use super::regime::{Here, Regime};
-use super::station::Station;
+use super::course::Course;
+use super::regime::Regime;
 use super::walk::Walk;
 use crate::mechanics::Support;
 use crate::numerics::linear::{Vector, direction, dot, solve};
 /// A turn of the direction (cosine) that asks for a shorter step.
 const STRAIGHT_ON: f64 = 0.985;
 
-impl Walk<'_> {
-    pub(super) fn station(&self, z: &Vector) -> Station {
-        self.path.station(self.regime, self.physical(z))
-    }
-
-    /// Coordinates with the found load itself: loads of the size of those on the path are walked evenly, larger ones by their order of
-    /// magnitude.
-    pub(super) fn physical(&self, z: &Vector) -> Vector {
-        [z[0], z[1], libm::sinh(z[2]) * self.unit, z[3]]
-    }
-
-    pub(super) fn here(&self, z: &Vector) -> Here {
-        Here::new(self.path, self.physical(z))
+impl<C: Course> Walk<'_, C> {
+    pub(super) fn station(&self, z: &Vector) -> C::Stop {
+        self.course.station(self.regime, z)
     }
 
     /// Values and rows of the three equations.
     pub(super) fn equations(&self, z: &Vector) -> ([f64; 3], [Vector; 3]) {
-        let equations = self.here(z).equations(self.regime);
-        let values = [0, 1, 2].map(|i| equations[i].value);
-        let unit = libm::cosh(z[2]) * self.unit;
-        let rows = equations.map(|e| [e.slopes[0], e.slopes[1], e.slopes[2] * unit, e.slopes[3]]);
-        (values, rows)
+        self.course.equations(self.regime, z)
     }
 
     pub(super) fn tangent(&self, z: &Vector) -> Option<Vector> {
@@ -108,7 +94,8 @@ impl Walk<'_> {
         if along < -STRAIGHT_ON {
             // where branches cross the sense changes, and the walk goes straight on; another branch would lie aside
             let aside = (0..4).map(|i| (next[i] - self.z[i] - step * self.ahead[i]).abs()).fold(0.0, f64::max);
-            let corner = (self.z[0].abs() - FRAC_PI_4) * (next[0].abs() - FRAC_PI_4) <= 0.0 && self.path.strands == 2;
+            let corner =
+                (self.z[0].abs() - FRAC_PI_4) * (next[0].abs() - FRAC_PI_4) <= 0.0 && self.course.strands() == 2;
             return (aside < 1e-3 * step && !corner).then(|| {
                 self.sense = -self.sense;
                 (next, ahead.map(|x| -x))

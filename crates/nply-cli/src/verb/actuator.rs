@@ -1,0 +1,65 @@
+//! `nply actuator`: strings that a motor twists together under a load.
+
+use clap::{ArgMatches, Command};
+use nply_sheet::{Key, StringsReport, Table};
+
+use super::Verb;
+use crate::arguments::{count, format, json, with_keys};
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{self, Format};
+
+const LONG: &str = "\
+For twisted string actuators. Strings of a given number, diameter and length (--strand-length) start parallel and touching, and a
+motor twists them under a load (--force): stroke, stroke per motor turn, motor torque and tension of the strings against motor
+turns, up to --motor-turns or to the most that go in; beside it the formula of a constant radius. Strings are limp unless their
+bending and twisting stiffness are given; then their ends are clamped in the motor (--turns-per-length, 0 if absent), or swivel
+(--strand-twist 0).";
+
+const EXAMPLES: &str = "\
+Examples:
+  nply actuator --strands 2 --diameter \"1 mm\" --strand-length \"0.5 m\" --force \"20 N\"
+  nply actuator --strands 3 --diameter \"1 mm\" --strand-length \"0.5 m\" --force \"20 N\" --motor-turns 50 --steps 25 --format csv";
+
+/// More are no table.
+const MOST_STEPS: i64 = 1_000_000;
+
+pub(super) const VERB: Verb = Verb {
+    name: "actuator",
+    about: "Strings twisted by a motor under a load: stroke, torque, greatest turns",
+    long: LONG,
+    examples: false,
+    arguments,
+    run,
+};
+
+fn arguments(command: Command) -> Command {
+    let wanted = |key: &Key| match key.table {
+        Table::Ply => ["title", "strands"].contains(&key.name),
+        Table::Strand | Table::Twist => true,
+        Table::Load => key.name == "force",
+        Table::Ends => !key.name.starts_with("length"),
+        _ => false,
+    };
+    with_keys(command, wanted)
+        .mut_arg("ply-turns", |turns| turns.visible_alias("motor-turns"))
+        .arg(count("steps", "Equal steps from no turns to the last (10)", MOST_STEPS))
+        .arg(format())
+        .arg(json())
+        .after_help(EXAMPLES)
+}
+
+fn run(arguments: &ArgMatches) -> Result<(), Failure> {
+    let input = input::read(arguments)?;
+    let steps = arguments.get_one::<u32>("steps").map_or(StringsReport::STEPS, |steps| *steps as usize);
+    let report = input
+        .spec
+        .check_strings()
+        .and_then(|strings| StringsReport::of(strings, steps))
+        .map_err(|error| input.refused(error))?;
+    output::write(&match Format::of(arguments) {
+        Format::Table => report.text(true),
+        Format::Json => report.json(),
+        Format::Csv => report.csv(),
+    })
+}

@@ -1,0 +1,241 @@
+//! A strand or rope as something that carries: the theory's cable, and the loads on it.
+
+use core::f64::consts::PI;
+
+use nply::DomainError;
+use nply::geometry::WireStrand;
+use nply::mechanics::{Cable, CableGrips, Layer as Laid, Rod};
+
+use super::check::turning;
+use super::{Construction, ConstructionSpec, Layer};
+use crate::key::Group;
+use crate::spec::Entry;
+use crate::{Datum, ErrorKind, Key, SpecError};
+
+/// A cable with its loads, and what is to be found for it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct CableCase {
+    /// As it was described.
+    pub construction: Construction,
+    /// As the theory has it, in the units of the construction.
+    pub cable: Cable,
+    /// What its ends are given; `None` as laid.
+    pub grips: Option<CableGrips>,
+    /// What else is asked.
+    pub question: CableQuestion,
+}
+
+/// What is to be found beside the state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CableQuestion {
+    /// Nothing more.
+    State,
+    /// The lay lengths of a layer (0 the innermost) at which the torque factor is as wanted; where its wires are not preformed, the pretwist too at
+    /// which the cable as laid asks for no moment.
+    Balance {
+        /// Moment over force and outer diameter.
+        torque_factor: f64,
+        /// Which layer gives way.
+        layer: usize,
+    },
+}
+
+impl ConstructionSpec {
+    /// Understands the strand or rope with its loads: every size and every modulus is given.
+    ///
+    /// # Errors
+    /// [`SpecError`] as for [`check`](Self::check), where a modulus or Poisson's ratio is missing, and where no such cable can be laid.
+    ///
+    /// ```
+    /// use nply_sheet::construction::ConstructionSpec;
+    /// let flags = [
+    ///     ("core-diameter", "3.94 mm"), ("core-youngs-modulus", "188 GPa"), ("core-poissons-ratio", "0.3"),
+    ///     ("strands", "6"), ("wire-diameter", "3.73 mm"), ("lay-length", "115 mm"),
+    ///     ("wire-youngs-modulus", "188 GPa"), ("wire-poissons-ratio", "0.3"), ("force", "50 kN"),
+    /// ];
+    /// let case = ConstructionSpec::from_flags(flags)?.check_cable()?;
+    /// let state = case.cable.loaded(case.grips.expect("a force is given"))?;
+    /// assert!((state.force() - 50e3).abs() < 1e-6 && state.moment() > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check_cable(&self) -> Result<CableCase, SpecError> {
+        let construction = self.check()?;
+        if let Some(entry) = self.layers.iter().flat_map(|part| &part.entries).find(|e| e.key.datum == Datum::LayerGap)
+        {
+            let message =
+                format!("{} is for finding a core with `nply fit-check`: give the core's diameter here", entry.said());
+            return Err(entry.error(ErrorKind::Contradiction, message));
+        }
+        let cable = self.cable_of(&construction)?;
+        let finite = |entry: &Entry| entry.finite(entry.number());
+        let force = self.head(Datum::CableForce).map(finite).transpose()?;
+        let ends: Vec<&Entry> = self.head.iter().filter(|entry| entry.key.group == Some(Group::Ends)).collect();
+        if let [first, second, ..] = ends.as_slice() {
+            let message =
+                format!("{} and {} both say how the ends are held: give one of them", first.said(), second.said());
+            return Err(second.error(ErrorKind::Contradiction, message));
+        }
+        let moment = self.head(Datum::CableMoment).map(finite).transpose()?;
+        let turned = self.head(Datum::CableTurning).map(turning).transpose()?;
+        let grips = match (force, moment, turned) {
+            (None, None, None) => None,
+            (force, Some(moment), _) => Some(CableGrips::Loads { force: force.unwrap_or(0.0), moment }),
+            (force, None, turned) => {
+                Some(CableGrips::Turned { force: force.unwrap_or(0.0), turning: turned.unwrap_or(0.0) })
+            }
+        };
+        Ok(CableCase { question: self.balance(construction.layers.len())?, construction, cable, grips })
+    }
+
+    fn balance(&self, layers: usize) -> Result<CableQuestion, SpecError> {
+        let (factor, layer) = (self.head(Datum::CableTorqueFactor), self.head(Datum::CableBalancedLayer));
+        let Some(factor) = factor else {
+            return match layer {
+                None => Ok(CableQuestion::State),
+                Some(entry) => {
+                    let wanted = self.ask_for(Datum::CableTorqueFactor);
+                    let message =
+                        format!("{} says which layer gives way, but not to what: give {wanted}", entry.said());
+                    Err(entry.error(ErrorKind::Missing, message))
+                }
+            };
+        };
+        let torque_factor = factor.finite(factor.number())?;
+        let layer = match layer {
+            None => layers,
+            Some(entry) => {
+                let number = entry.number();
+                match (1..=layers).find(|at| (*at as f64 - number).abs() < 0.5 && libm::trunc(number) >= number) {
+                    Some(at) => at,
+                    None => {
+                        let message =
+                            format!("{}: the layers are counted from 1, the innermost, to {layers}", entry.said());
+                        return Err(entry.error(ErrorKind::Domain, message));
+                    }
+                }
+            }
+        };
+        Ok(CableQuestion::Balance { torque_factor, layer: layer - 1 })
+    }
+
+    fn cable_of(&self, construction: &Construction) -> Result<Cable, SpecError> {
+        let core = match &construction.core {
+            None => None,
+            Some(core) => Some(match (&core.strand, &self.core_strand) {
+                (Some(strand), Some(spec)) => spec.rod_of(strand)?,
+                _ => {
+                    let modulus = self.known(None, core.youngs_modulus, Datum::StrandCoreYoungsModulus)?;
+                    let nu = self.known(None, core.poissons_ratio, Datum::StrandCorePoissonsRatio)?;
+                    self.rod(0, 0.5 * core.diameter, modulus, nu)?
+                }
+            }),
+        };
+        let layers = construction.layers.iter().enumerate().map(|(at, layer)| {
+            let within = self.layers.get(at).and_then(|part| part.strand.as_ref());
+            let rod = match (&layer.strand, within) {
+                (Some(strand), Some(spec)) => spec.rod_of(strand)?,
+                _ => {
+                    let modulus = self.known(Some(at), layer.youngs_modulus, Datum::LayerYoungsModulus)?;
+                    let nu = self.known(Some(at), layer.poissons_ratio, Datum::LayerPoissonsRatio)?;
+                    self.rod(at, 0.5 * layer.wire_diameter, modulus, nu)?
+                }
+            };
+            let Layer { wires, hand, lay, preforming, pretwist, .. } = *layer;
+            Ok(Laid { strands: wires, rod, handedness: hand, lay, preforming, pretwist })
+        });
+        let layers = layers.collect::<Result<Vec<_>, SpecError>>()?;
+        // layer by layer, so that a refusal is said at the layer it is about
+        for at in 0..layers.len() {
+            Cable::new(core, &layers[..=at]).map_err(|error| self.locate(at, &error))?;
+        }
+        Cable::new(core, &layers).map_err(|error| self.locate(0, &error))
+    }
+
+    fn rod(&self, at: usize, radius: f64, modulus: f64, nu: f64) -> Result<Rod, SpecError> {
+        Rod::solid_round(radius, modulus, nu).map_err(|error| self.locate(at, &error))
+    }
+
+    fn rod_of(&self, strand: &Construction) -> Result<Rod, SpecError> {
+        self.cable_of(strand)?.as_rod().map_err(|error| self.locate(0, &error))
+    }
+
+    fn known(&self, layer: Option<usize>, value: Option<f64>, datum: Datum) -> Result<f64, SpecError> {
+        value.ok_or_else(|| {
+            let what = match datum {
+                Datum::StrandCoreYoungsModulus => "Young's modulus of the core (a small one for a fibre core)",
+                Datum::StrandCorePoissonsRatio => "Poisson's ratio of the core",
+                Datum::LayerYoungsModulus => "Young's modulus of the wires",
+                _ => "Poisson's ratio of the wires",
+            };
+            let which = match layer {
+                Some(layer) if self.layers.len() > 1 => format!(" of layer {}", layer + 1),
+                _ => String::new(),
+            };
+            self.missing(layer, datum, format!("{what}{which} is missing: give {}", self.ask_for(datum)))
+        })
+    }
+
+    /// A refusal of the theory under loads, at the load it is about.
+    #[must_use]
+    pub fn locate_load(&self, error: &DomainError) -> SpecError {
+        let datum = match error.quantity {
+            "moment" => Datum::CableMoment,
+            "turning" => Datum::CableTurning,
+            _ => Datum::CableForce,
+        };
+        let entry = self
+            .head(datum)
+            .or_else(|| self.head(Datum::CableForce))
+            .or_else(|| self.head.iter().find(|e| e.key.group == Some(Group::Ends)));
+        let message = format!("it must be {}", error.allowed);
+        match entry {
+            Some(entry) => entry.error(ErrorKind::Domain, format!("{}: {message}", entry.said())),
+            None => {
+                let name = Key::of(datum).map_or("", |key| key.name);
+                self.missing(None, datum, format!("{name}: {message}"))
+            }
+        }
+    }
+}
+
+impl Construction {
+    /// The geometry of the strand as laid.
+    ///
+    /// # Errors
+    /// [`DomainError`] where no wires can be laid so.
+    pub fn laid(&self) -> Result<WireStrand, DomainError> {
+        let mut strand = WireStrand::on_core(self.core.as_ref().map(|core| 0.5 * core.diameter))?;
+        for layer in &self.layers {
+            strand.lay(layer.wires, 0.5 * layer.wire_diameter, layer.lay)?;
+        }
+        Ok(strand)
+    }
+
+    /// How much of the outline's area is wire, sections counted square to each.
+    pub(crate) fn solid_share(&self) -> f64 {
+        let Ok(laid) = self.laid() else { return f64::NAN };
+        let share = |strand: Option<&Self>| strand.map_or(1.0, Self::solid_share);
+        let core =
+            self.core.as_ref().map_or(0.0, |core| 0.25 * core.diameter * core.diameter * share(core.strand.as_deref()));
+        let wires = self.layers.iter().map(|layer| {
+            0.25 * f64::from(layer.wires) * layer.wire_diameter * layer.wire_diameter * share(layer.strand.as_deref())
+        });
+        wires.fold(core, |sum, squares| sum + squares) / (laid.outer_radius() * laid.outer_radius())
+    }
+
+    /// Mass per length over the area of the outline; `None` where a density is missing.
+    pub(super) fn mean_density(&self) -> Option<f64> {
+        let laid = self.laid().ok()?;
+        let mut mass = match &self.core {
+            Some(core) => 0.25 * PI * core.diameter * core.diameter * core.density?,
+            None => 0.0,
+        };
+        for (layer, on) in self.layers.iter().zip(laid.layers()) {
+            let r = on.wire_radius();
+            mass += f64::from(layer.wires) * PI * r * r / on.taken_angle().cos() * layer.density?;
+        }
+        Some(mass / (PI * laid.outer_radius() * laid.outer_radius()))
+    }
+}

@@ -1,0 +1,124 @@
+//! The one list of what is reported of a layer, and of the strand as a whole.
+
+use nply::geometry::{FitFormula, WireLayer};
+
+use super::mass;
+use core::f64::consts::PI;
+
+use crate::construction::{Construction, Fit, GivenLayer};
+
+/// A layer as laid, and what was said of it.
+pub(super) struct OfLayer {
+    pub(super) laid: WireLayer,
+    pub(super) given: GivenLayer,
+}
+
+/// What sort of number it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    Number,
+    Degrees,
+    Length,
+    Area,
+    LinearDensity,
+}
+
+/// One reported number: heading, name in JSON and CSV, words, sort, value in SI or bare.
+pub(super) struct Figure<T> {
+    pub(super) heading: &'static str,
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) sort: Sort,
+    pub(super) value: fn(&T) -> Option<f64>,
+}
+
+const fn figure<T>(
+    heading: &'static str,
+    name: &'static str,
+    label: &'static str,
+    sort: Sort,
+    value: fn(&T) -> Option<f64>,
+) -> Figure<T> {
+    Figure { heading, name, label, sort, value }
+}
+
+const LAID: &str = "As laid on the core";
+const TOUCH: &str = "Just touching at this lay length";
+const TAKEN: &str = "As the wires lie";
+const FORMULAS: &str = "Formulas in use, less what is";
+
+#[rustfmt::skip] // a table: one row a line
+pub(super) static OF_LAYER: [Figure<OfLayer>; 24] = [
+    figure("", "wire_diameter", "wire diameter", Sort::Length, |l| Some(2.0 * l.laid.wire_radius())),
+    figure("", "core_diameter", "core diameter (what is below)", Sort::Length, |l| Some(2.0 * l.laid.core_radius())),
+    figure("", "lay_length", "lay length", Sort::Length, |l| Some(l.laid.lay_length())),
+
+    figure(LAID, "lay_angle_deg", "lay angle", Sort::Degrees, |l| Some(l.laid.angle().degrees())),
+    figure(LAID, "lay_ratio", "lay ratio (lay length/outer diameter)", Sort::Number, |l| Some(0.5 * l.laid.lay_length() / (l.laid.lay_radius() + l.laid.wire_radius()))),
+    figure(LAID, "lay_radius", "lay radius", Sort::Length, |l| Some(l.laid.lay_radius())),
+    figure(LAID, "wire_gap", "gap between neighbours (−: overlap)", Sort::Length, |l| Some(l.laid.gap())),
+    figure(LAID, "outer_diameter", "outer diameter", Sort::Length, |l| Some(2.0 * (l.laid.lay_radius() + l.laid.wire_radius()))),
+
+    figure(TOUCH, "touching_lay_radius", "lay radius", Sort::Length, |l| Some(l.laid.touching_radius())),
+    figure(TOUCH, "king_wire_diameter", "core diameter (king wire)", Sort::Length, |l| Some(2.0 * l.laid.king_wire_radius())),
+    figure(TOUCH, "wanted_gap", "gap that is wanted", Sort::Length, |l| l.given.gap),
+    figure(TOUCH, "king_wire_diameter_for_gap", "core diameter for that gap", Sort::Length, |l| Some(2.0 * l.laid.king_wire_radius_for(l.given.gap?).ok()?)),
+
+    figure(TAKEN, "taken_lay_angle_deg", "lay angle", Sort::Degrees, |l| Some(l.laid.taken_angle().degrees())),
+    figure(TAKEN, "taken_lay_radius", "lay radius", Sort::Length, |l| Some(l.laid.taken_radius())),
+    figure(TAKEN, "taken_outer_diameter", "outer diameter", Sort::Length, |l| Some(2.0 * l.laid.taken_outer_radius())),
+    figure(TAKEN, "core_gap", "clearance to what is below", Sort::Length, |l| (l.laid.core_radius() > 0.0).then(|| l.laid.core_gap())),
+    figure(TAKEN, "wire_length_ratio", "wire length/strand length", Sort::Number, |l| Some(l.laid.wire_length_ratio())),
+    figure(TAKEN, "layer_mass_per_length", "mass per strand length", Sort::LinearDensity, |l| Some(l.laid.metal_area() * l.given.stuff.density?)),
+
+    figure(FORMULAS, "flat_wire_gap", "", Sort::Length, |l| Some(FitFormula::Flat.gap(&l.laid))),
+    figure(FORMULAS, "flat_touching_lay_radius", "", Sort::Length, |l| FitFormula::Flat.touching_radius(&l.laid)),
+    figure(FORMULAS, "ellipse_wire_gap", "", Sort::Length, |l| Some(FitFormula::Ellipse.gap(&l.laid))),
+    figure(FORMULAS, "ellipse_touching_lay_radius", "", Sort::Length, |l| FitFormula::Ellipse.touching_radius(&l.laid)),
+    figure(FORMULAS, "flat_gap_error", "flat r/sin(π/n): gap", Sort::Length, |l| Some(FitFormula::Flat.gap(&l.laid) - l.laid.gap())),
+    figure(FORMULAS, "ellipse_gap_error", "ellipse: gap", Sort::Length, |l| Some(FitFormula::Ellipse.gap(&l.laid) - l.laid.gap())),
+];
+
+#[rustfmt::skip] // a table: one row a line
+pub(super) static OF_FORMULAS: [Figure<OfLayer>; 2] = [
+    figure(FORMULAS, "flat_touching_lay_radius_error", "flat r/sin(π/n): touching lay radius", Sort::Length, |l| Some(FitFormula::Flat.touching_radius(&l.laid)? - l.laid.touching_radius())),
+    figure(FORMULAS, "ellipse_touching_lay_radius_error", "ellipse: touching lay radius", Sort::Length, |l| Some(FitFormula::Ellipse.touching_radius(&l.laid)? - l.laid.touching_radius())),
+];
+
+const STRAND: &str = "The strand";
+
+#[rustfmt::skip] // a table: one row a line
+pub(super) static OF_WHOLE: [Figure<Fit>; 7] = [
+    figure(STRAND, "strand_outer_diameter", "outer diameter", Sort::Length, |w| Some(2.0 * w.strand.outer_radius())),
+    figure(STRAND, "metal_area", "sections in a plane across, core too", Sort::Area, |w| Some(metal_area(w))),
+    figure(STRAND, "wire_section_area", "sections across each wire, core too", Sort::Area, |w| Some(section_area(w))),
+    figure(STRAND, "fill_factor", "fill factor (of the enclosing circle)", Sort::Number, |w| Some(metal_area(w) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
+    figure(STRAND, "mass_per_length", "mass per length", Sort::LinearDensity, |w| mass(w, w.strand.layers(), WireLayer::taken_angle)),
+    figure(STRAND, "nominal_outer_diameter", "outer diameter, sum of diameters", Sort::Length, |w| w.nominal.last().map(|l| 2.0 * (l.lay_radius() + l.wire_radius()))),
+    figure(STRAND, "nominal_mass_per_length", "mass per length, on sums of diameters", Sort::LinearDensity, |w| mass(w, &w.nominal, WireLayer::angle)),
+];
+
+/// Sections in a plane across: of the wires alone, where the rods of a layer or the core are strands.
+fn metal_area(fit: &Fit) -> f64 {
+    let layers = fit.strand.layers().iter().zip(&fit.layers);
+    let layers = layers.map(|(layer, given)| layer.metal_area() * solid_share(given.strand.as_ref()));
+    layers.fold(core_area(fit), |sum, area| sum + area)
+}
+
+/// Σ n π r², the core's too: as strength tables count.
+fn section_area(fit: &Fit) -> f64 {
+    let layers = fit.strand.layers().iter().zip(&fit.layers).map(|(layer, given)| {
+        let r = layer.wire_radius();
+        f64::from(layer.wires()) * PI * r * r * solid_share(given.strand.as_ref())
+    });
+    layers.fold(core_area(fit), |sum, area| sum + area)
+}
+
+fn core_area(fit: &Fit) -> f64 {
+    fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * solid_share(core.strand.as_deref()))
+}
+
+/// How much of its outline is wire; 1 of a wire.
+fn solid_share(strand: Option<&Construction>) -> f64 {
+    strand.map_or(1.0, Construction::solid_share)
+}

@@ -1,0 +1,180 @@
+//! The one list of what is reported of a cable, of its core and of its layers.
+
+use core::f64::consts::PI;
+
+use nply::mechanics::{CableState, LayerState};
+
+use crate::Dimension;
+
+/// What sort of number it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    Number,
+    Percent,
+    Degrees,
+    Of(Dimension),
+    /// A stress, which people read in MPa.
+    Stress,
+    /// Turning per length per force: a twist over a force.
+    Unlay,
+}
+
+/// One reported number: heading, name in JSON and CSV, words, sort, value in SI or bare.
+pub(super) struct Figure<T> {
+    pub(super) heading: &'static str,
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) sort: Sort,
+    pub(super) value: fn(&T) -> Option<f64>,
+}
+
+const fn figure<T>(
+    heading: &'static str,
+    name: &'static str,
+    label: &'static str,
+    sort: Sort,
+    value: fn(&T) -> Option<f64>,
+) -> Figure<T> {
+    Figure { heading, name, label, sort, value }
+}
+
+/// One rod of the cable: its core, or a wire of a layer.
+pub(super) struct Member {
+    pub(super) state: CableState,
+    /// `None`: the core
+    pub(super) layer: Option<LayerState>,
+}
+
+const FORCE: Sort = Sort::Of(Dimension::FORCE);
+const MOMENT: Sort = Sort::Of(Dimension::MOMENT);
+const STIFFNESS: Sort = Sort::Of(Dimension::STIFFNESS);
+const LENGTH: Sort = Sort::Of(Dimension::LENGTH);
+const TURNING: Sort = Sort::Of(Dimension::ANGLE_PER_LENGTH);
+const PRESSURE: Sort = Sort::Of(Dimension::PRESSURE);
+const LINE: Sort = Sort::Of(Dimension::FORCE_PER_LENGTH);
+
+const STATE: &str = "Loads and shape";
+const SMALL: &str = "Stiffness against small changes";
+const OPENS: &str = "Margin to birdcaging (what presses least lets go)";
+
+#[rustfmt::skip] // a table: one row a line
+pub(super) static OF_CABLE: [Figure<CableState>; 20] = [
+    figure(STATE, "force", "force (tension +)", FORCE, |s| Some(s.force())),
+    figure(STATE, "moment", "moment (right-handed +)", MOMENT, |s| Some(s.moment())),
+    figure(STATE, "strain", "strain", Sort::Percent, |s| Some(s.strain())),
+    figure(STATE, "turning", "turns put in (right-handed +)", TURNING, |s| Some(s.turning())),
+    figure(STATE, "outer_diameter", "outer diameter", LENGTH, |s| Some(2.0 * s.outer_radius())),
+    figure(STATE, "metal_area", "sections across each wire", Sort::Of(Dimension::AREA), |s| Some(s.cable().metal_area())),
+    figure(SMALL, "axial_stiffness", "EA, ends cannot turn", FORCE, |s| Some(s.stiffness()?.axial)),
+    figure(SMALL, "axial_stiffness_free", "EA, ends free to turn", FORCE, |s| Some(s.stiffness()?.axial_free())),
+    figure(SMALL, "modulus", "EA over the wires' sections, ends cannot turn", PRESSURE, |s| Some(s.stiffness()?.axial / s.cable().metal_area())),
+    figure(SMALL, "modulus_free", "EA over the wires' sections, ends free to turn", PRESSURE, |s| Some(s.stiffness()?.axial_free() / s.cable().metal_area())),
+    figure(SMALL, "torsional_stiffness", "GJ, length held", STIFFNESS, |s| Some(s.stiffness()?.torsional)),
+    figure(SMALL, "torsional_stiffness_free", "GJ, length free to change", STIFFNESS, |s| Some(s.stiffness()?.torsional_free())),
+    figure(SMALL, "coupling", "coupling: moment per strain, force per turning", MOMENT, |s| Some(s.stiffness()?.coupling)),
+    figure(SMALL, "torque_factor", "torque factor: moment/(force × outer diameter)", Sort::Number, |s| s.stiffness().map(|_| s.torque_factor())),
+    figure(SMALL, "unlay", "turning per force, ends free to turn", Sort::Unlay, |s| Some(s.stiffness()?.rotation_by_force())),
+    figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, |s| Some(s.contraction())),
+    figure(SMALL, "bending_stiffness_sliding", "bending stiffness, wires sliding freely", STIFFNESS, |s| Some(s.cable().sliding_bending_stiffness())),
+    figure(OPENS, "lift_off_force", "at a force of, ends not turning", FORCE, |s| lift_off(s, true, CableState::force)),
+    figure(OPENS, "lift_off_force_at_moment", "at a force of, under this moment", FORCE, |s| lift_off(s, false, CableState::force)),
+    figure(OPENS, "lift_off_strain", "at a strain of, ends not turning", Sort::Percent, |s| lift_off(s, true, CableState::strain)),
+];
+
+const SHAPE: &str = "Core and layers";
+const SHARE: &str = "What each carries";
+const STRESS: &str = "Stress at the surface of a wire";
+const PRESS: &str = "What presses";
+
+#[rustfmt::skip] // a table: one row a line
+pub(super) static OF_MEMBER: [Figure<Member>; 20] = [
+    figure(SHAPE, "lay_angle", "lay angle", Sort::Degrees, |m| Some(m.layer?.angle.degrees())),
+    figure(SHAPE, "lay_radius", "lay radius", LENGTH, |m| Some(m.layer?.radius)),
+    figure(SHAPE, "wire_gap", "gap between neighbours", LENGTH, |m| Some(m.layer?.gap)),
+    figure(SHAPE, "wire_strain", "strain of a wire", Sort::Percent, |m| Some(m.layer.map_or(m.state.strain(), |l| l.strain))),
+    figure(SHARE, "force_share", "force", FORCE, force),
+    figure(SHARE, "force_fraction", "share of the force", Sort::Percent, |m| Some(force(m)? / loaded(m.state.force(), m)?)),
+    figure(SHARE, "moment_share", "moment", MOMENT, moment),
+    figure(STRESS, "stress_stretch", "from stretch", Sort::Stress, |m| Some(stress(m)?.stretch)),
+    figure(STRESS, "stress_bending", "from bending", Sort::Stress, |m| Some(stress(m)?.bending)),
+    figure(STRESS, "stress_twist", "shear from twist", Sort::Stress, |m| Some(stress(m)?.twist)),
+    figure(STRESS, "stress_greatest", "stretch and bending, greatest", Sort::Stress, |m| stress(m).map(|s| s.stretch + s.bending)),
+    figure(STRESS, "stress_equivalent", "equivalent (von Mises), greatest", Sort::Stress, |m| stress(m).map(|s| libm::sqrt(s.axial() * s.axial() + 3.0 * s.twist * s.twist))),
+    figure(PRESS, "pressure_below", "force of a wire on what is below, per cable length", LINE, |m| Some(m.layer?.pressure_below)),
+    figure(PRESS, "interstrand_pressure", "force between neighbours, per cable length", LINE, |m| Some(m.layer?.interstrand_pressure)),
+    figure(PRESS, "core_line_load", "line load on the core", LINE, |m| m.layer?.core_line_load),
+    figure(PRESS, "core_hertz_pressure", "Hertz pressure on the core", Sort::Stress, |m| m.layer?.core_hertz_pressure),
+    figure(PRESS, "neighbour_line_load", "line load between neighbours", LINE, |m| m.layer?.neighbour_line_load),
+    figure(PRESS, "neighbour_hertz_pressure", "Hertz pressure between neighbours", Sort::Stress, |m| m.layer?.neighbour_hertz_pressure),
+    figure("", "youngs_modulus", "", PRESSURE, modulus),
+    figure("", "section_area", "", Sort::Of(Dimension::AREA), |m| Some(PI * radius(m)? * radius(m)?)),
+];
+
+/// A number of the state in which the first contact lets go, 0 where it is nothing but rounding.
+fn lift_off(s: &CableState, ends_cannot_turn: bool, of: impl Fn(&CableState) -> f64) -> Option<f64> {
+    let state = s.lift_off(ends_cannot_turn)?.state;
+    let unloaded = state.force().abs() <= 1e-12 * s.stiffness()?.axial;
+    Some(if unloaded { 0.0 } else { of(&state) })
+}
+
+fn force(m: &Member) -> Option<f64> {
+    m.layer.map_or(m.state.core_force(), |layer| Some(layer.force))
+}
+
+fn moment(m: &Member) -> Option<f64> {
+    m.layer.map_or(m.state.core_moment(), |layer| Some(layer.moment))
+}
+
+/// A load that is more than rounding.
+fn loaded(force: f64, m: &Member) -> Option<f64> {
+    let least = 1e-12 * m.state.stiffness()?.axial;
+    Some(force).filter(|force| force.abs() > least)
+}
+
+fn radius(m: &Member) -> Option<f64> {
+    m.layer.map_or(m.state.core_radius(), |layer| Some(layer.layer.rod.radius()))
+}
+
+fn modulus(m: &Member) -> Option<f64> {
+    match m.layer {
+        Some(layer) => layer.layer.rod.youngs_modulus(),
+        None => m.state.cable().core()?.youngs_modulus(),
+    }
+}
+
+/// Stresses of a solid round wire, or of a core that is one.
+pub(super) struct Stress {
+    pub(super) stretch: f64,
+    pub(super) bending: f64,
+    pub(super) twist: f64,
+}
+
+impl Stress {
+    /// The greatest pull or thrust along the wire.
+    fn axial(&self) -> f64 {
+        self.stretch.abs() + self.bending
+    }
+}
+
+pub(super) fn stress(m: &Member) -> Option<Stress> {
+    let modulus = modulus(m)?;
+    Some(match m.layer {
+        Some(layer) => {
+            let shear = 0.5 / (1.0 + layer.layer.rod.poissons_ratio());
+            Stress {
+                stretch: modulus * layer.strain,
+                bending: modulus * layer.bending_strain.abs(),
+                twist: modulus * shear * layer.twist_strain.abs(),
+            }
+        }
+        None => {
+            let core = m.state.cable().core()?;
+            let shear = 0.5 / (1.0 + core.poissons_ratio());
+            Stress {
+                stretch: modulus * m.state.strain(),
+                bending: 0.0,
+                twist: modulus * shear * core.radius() * m.state.turning().abs(),
+            }
+        }
+    })
+}

@@ -1,0 +1,288 @@
+//! Cables: one layer is the ply of stretching strands, layers press as energy says, shares add up, matrices are symmetric slopes.
+
+use std::f64::consts::TAU;
+
+use nply::Handedness;
+use nply::geometry::{HelicalAngle, WireLay};
+use nply::mechanics::{
+    Axial, Cable, CableGrips, CableState, ExtensiblePly, FormedLay, Grips, Layer, LayerSupport, Rod, StretchingStrand,
+    Support, Turning, Twist, WorkingCore,
+};
+use proptest::prelude::*;
+
+use crate::{config, hand};
+
+fn clamped(strain: f64, turning: f64) -> CableGrips {
+    CableGrips::Clamped { strain, turning }
+}
+
+/// One to three layers of solid round wires of sizes and lays at random, on a core.
+fn any_cable() -> impl Strategy<Value = (f64, Vec<Layer>)> {
+    let layer = (0.3..1.05, 0.5..1.5, hand(), 6.0..30.0, 0.0..=1.0, 0.0..0.45);
+    (0.5..2.0, prop::collection::vec(layer, 1..=3)).prop_map(|(core, layers)| {
+        let mut below: f64 = core;
+        let layers = layers.into_iter().map(|(fill, radius, handedness, ratio, preforming, nu)| {
+            // as many as would fit side by side on what is below, straight, or some less, or one too many
+            let most = std::f64::consts::PI / f64::asin(radius / (below + radius));
+            let strands = f64::max(f64::floor(fill * most), 2.0) as u32;
+            below += 2.0 * radius;
+            let rod = Rod::solid_round(radius, 100.0, nu).unwrap();
+            Layer { strands, rod, handedness, lay: WireLay::Length(ratio * 2.0 * below), preforming, pretwist: 0.0 }
+        });
+        let layers: Vec<Layer> = layers.collect();
+        (core, layers)
+    })
+}
+
+fn made(core: f64, layers: &[Layer]) -> Option<Cable> {
+    Cable::new(Some(Rod::solid_round(core, 120.0, 0.3).unwrap()), layers).ok()
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    /// Force and moment are the slopes of the energy, the matrix that of the loads; shares of core and layers add up to the loads.
+    #[test]
+    fn slopes_and_shares((core, layers) in any_cable(), strain in -0.003..0.01, turning in -0.003..0.003) {
+        let Some(cable) = made(core, &layers) else { return Ok(()) };
+        let Ok(state) = cable.loaded(clamped(strain, turning)) else { return Ok(()) };
+        let h = 1e-6;
+        let at = |de: f64, dw: f64| cable.loaded(clamped(strain + de, turning + dw)).unwrap();
+        let (a, b, c, d) = (at(h, 0.0), at(-h, 0.0), at(0.0, h), at(0.0, -h));
+        let regime = |s: &CableState| s.layers().iter().map(|l| l.support).collect::<Vec<_>>();
+        prop_assume!([&a, &b, &c, &d].iter().all(|s| regime(s) == regime(&state)));
+        let slope = |x: f64, y: f64| (x - y) / (2.0 * h);
+        if let Some(k) = state.stiffness() {
+            let size = k.axial + k.torsional;
+            for (got, want) in [
+                (k.axial, slope(a.force(), b.force())),
+                (k.coupling, slope(a.moment(), b.moment())),
+                (k.coupling, slope(c.force(), d.force())),
+                (k.torsional, slope(c.moment(), d.moment())),
+            ] {
+                prop_assert!((got - want).abs() < 1e-5 * size, "{got} {want}");
+            }
+        }
+        let sum = |of: fn(&nply::mechanics::LayerState) -> f64| state.layers().iter().map(of).sum::<f64>();
+        let size = 1e-11 * (1.0 + state.force().abs() + state.moment().abs()) * cable.metal_area() * 100.0;
+        prop_assert!((state.core_force().unwrap() + sum(|l| l.force) - state.force()).abs() < size);
+        prop_assert!((state.core_moment().unwrap() + sum(|l| l.moment) - state.moment()).abs() < size);
+    }
+
+    /// What the first layer presses with is what it takes to swell the core: the slope of the energy by the core's radius, which the
+    /// forces found on a slightly thicker core integrate.
+    #[test]
+    fn layers_press_as_the_energy_says((core, layers) in any_cable(), strain in 0.0..0.01) {
+        // layers made on one core, then the core's radius changed: its Poisson's ratio does that at a strain of its own
+        let Some(_) = made(core, &layers) else { return Ok(()) };
+        let with = |nu: f64| {
+            let rod = Rod::solid_round(core, 1.0, nu).unwrap();
+            // all stiffness but the outline taken away
+            let rod = Rod::new(core, 1e-9, rod.bending_stiffness(), rod.torsional_stiffness(), nu).unwrap();
+            Cable::new(Some(rod), &layers).unwrap().loaded(clamped(strain, 0.0)).unwrap()
+        };
+        let (state, thick, thin) = (with(0.2), with(0.2 - 1e-4), with(0.2 + 1e-4));
+        prop_assume!(strain > 1e-3 && state.layers().iter().all(|l| l.support == LayerSupport::Below));
+        // dE/dr over a path of strains is not at hand; force at given ν differs by Q dr/dε, its integral by Q dr: compare work
+        let work = |nu: f64| {
+            let steps = 200;
+            let rod = Rod::new(core, 1e-9, 1.0, 1.0, nu).unwrap();
+            let cable = Cable::new(Some(rod), &layers).unwrap();
+            // Simpson over the strain
+            (0..=steps).map(|i| {
+                let weight = if i == 0 || i == steps { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+                weight * cable.loaded(clamped(strain * f64::from(i) / f64::from(steps), 0.0)).unwrap().force()
+            }).sum::<f64>() * strain / f64::from(steps) / 3.0
+        };
+        let radius = |s: &CableState| s.core_radius().unwrap();
+        let slope = (work(0.2 - 1e-4) - work(0.2 + 1e-4)) / (radius(&thick) - radius(&thin));
+        let pressed = state.layers()[0].pressure_below * f64::from(layers[0].strands);
+        prop_assert!((slope - pressed).abs() < 1e-4 * (pressed.abs() + 1e-2 * state.force().abs()), "{slope} {pressed}");
+    }
+
+    /// The mirror image of a cable: the same but for the sign of coupling and moment.
+    #[test]
+    fn mirror_images((core, layers) in any_cable(), strain in 0.0..0.01) {
+        let Some(cable) = made(core, &layers) else { return Ok(()) };
+        let mirrored: Vec<Layer> = layers.iter().map(|l| Layer { handedness: l.handedness.opposite(), ..*l }).collect();
+        let (a, b) = (cable.loaded(clamped(strain, 0.001)), made(core, &mirrored).unwrap().loaded(clamped(strain, -0.001)));
+        let (Ok(a), Ok(b)) = (a, b) else { return Ok(()) };
+        prop_assert!((a.force() - b.force()).abs() < 1e-10 * (1.0 + a.force().abs()));
+        prop_assert!((a.moment() + b.moment()).abs() < 1e-10 * (1.0 + a.moment().abs()));
+    }
+
+    /// What is given is met.
+    #[test]
+    fn loads_are_met((core, layers) in any_cable(), pull in 0.0..0.005) {
+        let Some(cable) = made(core, &layers) else { return Ok(()) };
+        let force = pull * 100.0 * cable.metal_area();
+        if let Ok(state) = cable.loaded(CableGrips::Turned { force, turning: 0.0 }) {
+            prop_assert!((state.force() - force).abs() < 1e-9 * (1.0 + force));
+        }
+        if let Ok(state) = cable.loaded(CableGrips::Loads { force, moment: 0.0 }) {
+            prop_assert!((state.force() - force).abs() < 1e-9 * (1.0 + force) && state.moment().abs() < 1e-8 * (1.0 + force));
+        }
+    }
+}
+
+/// One layer of solid round wires on a core, or touching each other, is the ply of stretching strands, found by another way: loads,
+/// pressures and matrix.
+#[test]
+fn one_layer_is_a_ply() {
+    for (n, core, lay_length, preforming) in
+        [(6, 1.1, 40.0, 1.0), (6, 1.1, 25.0, 0.5), (5, 1.4, 30.0, 0.0), (6, 0.5, 30.0, 1.0)]
+    {
+        for handedness in Handedness::BOTH {
+            let (nu, nu_core) = (0.3, 0.25);
+            let wire = Rod::solid_round(1.0, 4.0 / std::f64::consts::PI, nu).unwrap(); // B = 1
+            let king = Rod::solid_round(core, 3.0 / std::f64::consts::PI, nu_core).unwrap();
+            let layer = Layer {
+                strands: n,
+                rod: wire,
+                handedness,
+                lay: WireLay::Length(lay_length),
+                preforming,
+                pretwist: 0.0,
+            };
+            let cable = Cable::new(Some(king), &[layer]).unwrap();
+            let (strain, turning) = (0.004, 0.0005);
+            let state = cable.loaded(clamped(strain, turning)).unwrap();
+            let one = state.layers()[0];
+
+            let laid = cable.laid().unwrap().layers()[0];
+            let formed = FormedLay { handedness, angle: laid.angle, radius_ratio: laid.radius, preforming };
+            let strand = StretchingStrand::solid_round(nu).unwrap();
+            let work = WorkingCore::new(core, king.axial_stiffness(), king.torsional_stiffness(), nu_core).unwrap();
+            let ply = ExtensiblePly::new(n, strand).unwrap().with_core(work).unwrap().formed_in(formed).unwrap();
+            let c0 = laid.angle.cos();
+            let grips = Grips {
+                axial: Axial::Extension(c0 * (1.0 + strain)),
+                turning: Turning::Rotation(formed.rotation() + c0 * turning),
+            };
+            let support = match one.support {
+                LayerSupport::Below => Support::Core,
+                LayerSupport::Neighbours => Support::Neighbours,
+            };
+            let states = ply.states(Twist::Pretwist(0.0), grips).unwrap();
+            let twin = states.iter().find(|s| s.support() == support).unwrap();
+            let close =
+                |a: f64, b: f64, what: &str| assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{what} n {n}: {a} {b}");
+            close(one.angle.radians(), twin.angle().radians(), "angle");
+            close(one.radius, twin.radius_ratio(), "radius");
+            close(state.force(), twin.load().force, "force");
+            close(state.moment(), twin.load().moment, "moment");
+            // per cable length against per rod length
+            close(one.pressure_below * c0, twin.core_pressure(), "pressure on the core");
+            close(one.interstrand_pressure * c0, twin.interstrand_pressure(), "pressure between neighbours");
+            // in units of E: 4/π of these wires
+            let in_modulus = |p: Option<f64>| p.map(|p| p * std::f64::consts::FRAC_PI_4);
+            assert_eq!(one.neighbour_hertz_pressure.is_some(), twin.neighbour_hertz_pressure().is_some());
+            if let (Some(a), Some(b)) = (in_modulus(one.neighbour_hertz_pressure), twin.neighbour_hertz_pressure()) {
+                close(a, b, "Hertz");
+            }
+            close(one.core_line_load.unwrap_or(0.0), twin.core_line_load(), "line load");
+            let (k, own) = (state.stiffness().unwrap(), twin.stiffness().unwrap());
+            close(k.axial, own.axial / (1.0 + strain), "EA"); // per present length
+            close(k.coupling, own.coupling / (1.0 + strain), "coupling");
+            close(k.torsional, own.torsional / (1.0 + strain), "GJ");
+        }
+    }
+}
+
+/// Two layers of opposite hand can be balanced: with turns that make the torques equal and opposite a pull asks for no moment.
+#[test]
+fn opposite_layers_balance() {
+    let wire = Rod::solid_round(1.0, 100.0, 0.0).unwrap();
+    let torque = |lay_length: f64| {
+        let inner = Layer {
+            strands: 6,
+            rod: wire,
+            handedness: Handedness::Left,
+            lay: WireLay::Length(60.0),
+            preforming: 1.0,
+            pretwist: 0.0,
+        };
+        let outer = Layer {
+            strands: 12,
+            rod: wire,
+            handedness: Handedness::Right,
+            lay: WireLay::Length(lay_length),
+            preforming: 1.0,
+            pretwist: 0.0,
+        };
+        let cable = Cable::new(Some(Rod::solid_round(1.05, 100.0, 0.0).unwrap()), &[inner, outer]).unwrap();
+        cable.laid().unwrap().torque_factor()
+    };
+    let (mut short, mut long) = (60.0, 3000.0);
+    assert!(torque(short) > 0.0 && torque(long) < 0.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (short + long);
+        if torque(middle) > 0.0 { short = middle } else { long = middle }
+    }
+    assert!(torque(short).abs() < 1e-12);
+    // small angles: torque is n r tan θ times EA cos³θ, so that the outer angle is about 6·R₁ tan θ₁/(12·R₂)
+    let (inner, outer): (f64, f64) = (TAU * 2.05 / 60.0, TAU * 4.05 / short);
+    assert!((outer / (6.0 * 2.05 * inner / (12.0 * 4.05)) - 1.0).abs() < 0.1);
+}
+
+/// A strand as one rod: straight, it is what it is made of; laid into a rope of ordinary lay it carries the torque of its own wires against that
+/// of the rope's lay.
+#[test]
+fn a_strand_is_a_rod() {
+    let wire = Rod::solid_round(0.5, 200e3, 0.3).unwrap();
+    let king = Rod::solid_round(0.53, 200e3, 0.3).unwrap();
+    let strand = |handedness| {
+        let six =
+            Layer { strands: 6, rod: wire, handedness, lay: WireLay::Length(25.0), preforming: 1.0, pretwist: 0.0 };
+        Cable::new(Some(king), &[six]).unwrap()
+    };
+    let rod = strand(Handedness::Left).as_rod().unwrap();
+    let k = strand(Handedness::Left).laid().unwrap().stiffness().unwrap();
+    assert!(
+        (rod.axial_stiffness() - k.axial).abs() < 1e-9 * k.axial
+            && (rod.coupling() - k.coupling).abs() < 1e-9 * k.axial
+    );
+    assert!(rod.coupling() < 0.0 && (rod.radius() - 1.53).abs() < 1e-12);
+    let rope = |hand| {
+        let outer = Layer {
+            strands: 6,
+            rod: strand(hand).as_rod().unwrap(),
+            handedness: Handedness::Right,
+            lay: WireLay::Length(70.0),
+            preforming: 1.0,
+            pretwist: 0.0,
+        };
+        Cable::new(Some(Rod::new(1.7, 1e3, 1e3, 1e3, 0.3).unwrap()), &[outer]).unwrap().laid().unwrap()
+    };
+    let (ordinary, lang) = (rope(Handedness::Left), rope(Handedness::Right));
+    // Lang's lay turns harder under a pull than ordinary lay, as rope makers know
+    assert!(lang.torque_factor() > ordinary.torque_factor() && ordinary.torque_factor() > 0.0);
+}
+
+/// A layer too crowded for its core rides on its neighbours; a lay that no wire can take is refused.
+#[test]
+fn regimes_and_refusals() {
+    let wire = Rod::solid_round(1.0, 100.0, 0.3).unwrap();
+    let layer = |lay_length: f64| Layer {
+        strands: 6,
+        rod: wire,
+        handedness: Handedness::Right,
+        lay: WireLay::Length(lay_length),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
+    let on = |core: f64, lay_length: f64| {
+        Cable::new(Some(Rod::solid_round(core, 100.0, 0.3).unwrap()), &[layer(lay_length)]).unwrap().laid().unwrap()
+    };
+    let at = HelicalAngle::new(17.44_f64.to_radians()).unwrap();
+    let lay = TAU * 2.0 / at.tan();
+    assert_eq!(on(1.0, lay).layers()[0].support, LayerSupport::Neighbours); // R = 2r overlaps at 17.44°
+    assert_eq!(on(1.1, lay).layers()[0].support, LayerSupport::Below);
+    assert!(on(1.1, lay).layers()[0].gap > 0.0);
+    assert!(Cable::new(None, &[layer(11.9)]).is_err()); // shorter than six flat rings
+    assert!(Cable::new(None, &[]).is_err());
+    assert!(on(1.1, lay).cable().loaded(CableGrips::Turned { force: f64::NAN, turning: 0.0 }).is_err());
+    assert!(on(1.1, lay).cable().loaded(CableGrips::Turned { force: 1e9, turning: 0.0 }).is_err());
+    assert!(Layer { preforming: 1.5, ..layer(lay) }.preforming > 1.0);
+    assert!(Cable::new(None, &[Layer { preforming: 1.5, ..layer(lay) }]).is_err());
+}
