@@ -2,22 +2,25 @@
 //!
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file
 //!     cargo xtask bench         the benches
+//!     cargo xtask figures       draws the figures of docs/figures anew
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
 
 mod authorities;
 mod bench;
+mod figures;
 mod step;
 mod test;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|bench|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => test::run(),
         ["bench"] => bench::run(),
+        ["figures"] => figures::run(),
         ["authorities"] => authorities::run(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");

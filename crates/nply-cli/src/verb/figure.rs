@@ -28,6 +28,7 @@ fn arguments(command: Command) -> Command {
         .arg(figure)
         .arg(output.help("Where to write: a file that ends in .svg, .png or .csv; for all of them, a folder"))
         .arg(switch("csv", "Print the numbers, not the picture").conflicts_with("output"))
+        .arg(switch("svg-only", "Of all figures, write the pictures as SVG and the page of Markdown alone"))
         .arg(switch("dark", "Draw on dark ground"))
         .arg(output::zoom())
 }
@@ -86,12 +87,17 @@ fn keep(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 fn write_all(folder: &Path, arguments: &ArgMatches, theme: Theme) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
         .map_err(|error| Failure::File { what: format!("cannot make {}", folder.display()), error })?;
+    let svg_only = arguments.get_flag("svg-only");
     let mut figures = Vec::new();
     for name in Figure::names() {
         let figure = named(name)?;
         let file = |ending: &str| -> PathBuf { folder.join(format!("{}.{ending}", figure.file_name())) };
         let svg = figure.svg(theme);
         keep(&file("svg"), svg.as_bytes())?;
+        if svg_only {
+            figures.push(figure);
+            continue;
+        }
         keep(&file("csv"), figure.csv().as_bytes())?;
         let pixels = png(&svg, output::zoom_of(arguments)).map_err(|error| Failure::File {
             what: format!("cannot draw {}", file("png").display()),
@@ -100,6 +106,8 @@ fn write_all(folder: &Path, arguments: &ArgMatches, theme: Theme) -> Result<(), 
         keep(&file("png"), &pixels)?;
         figures.push(figure);
     }
-    keep(&folder.join("index.html"), html(&figures).as_bytes())?;
+    if !svg_only {
+        keep(&folder.join("index.html"), html(&figures).as_bytes())?;
+    }
     keep(&folder.join("README.md"), markdown(&figures, "svg").as_bytes())
 }

@@ -66,7 +66,7 @@ impl Data {
     /// ```
     /// use nply_sheet::figure::Figure;
     /// let figure = Figure::named("3")?.expect("there is a Figure 3");
-    /// assert!(figure.data.numbers(&["main"], "arclength_shift").count() > 50);
+    /// assert!(figure.data.numbers(&["main"], "arclength_shift").count() > 20);
     /// # Ok::<(), nply::DomainError>(())
     /// ```
     pub fn numbers<'d>(&'d self, words: &[&'d str], column: &str) -> impl Iterator<Item = f64> + 'd {

@@ -59,8 +59,8 @@ pub fn markdown(figures: &[Figure], ending: &str) -> String {
         let (heading, title, file) = (figure.heading(), figure.title, figure.file_name());
         let _ = write!(
             page,
-            "\n## {heading}. {title}\n\n![{title}]({file}.{ending})\n\n{} ([numbers]({file}.csv))\n",
-            figure.caption
+            "\n## {heading}. {title}\n\n![{title}]({file}.{ending})\n\n{}\n\nIts numbers: `nply figure {} --csv`\n",
+            figure.caption, figure.name
         );
     }
     page

@@ -81,7 +81,7 @@ fn draw(bodies: &[Assembly; 4], theme: Theme) -> String {
         [(straight, at(upper)), (beside, at(upper - CLOSURE.1)), (coiled, at(lower)), (below, at(lower - CLOSURE.1))];
     let mut canvas = Canvas::new(780.0, 400.0, theme);
     // with a strand in front of the two others
-    canvas.image(&seen(&placed, (700, 380), [PI - 0.45, 0.0, 0.0]), [60.0, 10.0, 700.0, 380.0]);
+    canvas.image(&seen(&placed, (700, 380), [PI, 0.0, 0.0]), [60.0, 10.0, 700.0, 380.0]);
     let ink = canvas.ink();
     for (letter, up) in [("(a)", 105.0), ("(b)", 295.0)] {
         canvas.words(letter, [30.0, up], 17.0, Anchor::Middle, ink);

@@ -124,19 +124,26 @@ impl Chart {
         let label = self.x.label(&x);
         let indent = (digits + 2 + width / 2).saturating_sub(label.chars().count() / 2);
         text += &format!("{}{label}\n", " ".repeat(indent));
-        text + &self.names(&colours)
+        text + &self.names(&colours, width + digits + 3)
     }
 
-    /// What is what.
-    fn names(&self, colours: &[usize]) -> String {
+    /// What is what, in lines that are no wider than the chart.
+    fn names(&self, colours: &[usize], width: usize) -> String {
         let mut seen: Vec<(&str, Dash, usize)> = Vec::new();
-        let mut text = String::new();
+        let (mut text, mut used) = (String::new(), 0);
         let named = |curve: &&Curve| !curve.name.is_empty();
         for (curve, &colour) in self.curves.iter().zip(colours).filter(|(curve, _)| named(curve)) {
             let kind = (curve.name.as_str(), curve.dash, colour);
             if self.legend && !seen.contains(&kind) {
                 let sample = if curve.dash == Dash::Solid { "──" } else { "╌╌" };
-                text += &format!("  \x1b[{}m{sample}\x1b[0m {}", COLOURS[colour % COLOURS.len()], curve.name);
+                let name: String = curve.name.chars().take(width.saturating_sub(5)).collect();
+                let size = 5 + name.chars().count();
+                if used > 0 && used + size > width {
+                    text.push('\n');
+                    used = 0;
+                }
+                text += &format!("  \x1b[{}m{sample}\x1b[0m {name}", COLOURS[colour % COLOURS.len()]);
+                used += size;
                 seen.push(kind);
             }
         }

@@ -1,6 +1,6 @@
 //! Inputs that nobody means and somebody has.
 
-use super::{Axis, Chart, Curve, Field, Marker, MarkerShape, Picture};
+use super::{Area, Axis, Chart, Curve, Field, Marker, MarkerShape, Note, Picture, Side, Theme};
 
 /// What an XML reader would take as text and elements; stops at what is not well formed.
 fn is_well_formed(svg: &str) -> bool {
@@ -62,7 +62,20 @@ fn no_numbers_break_a_picture() {
         for curve in curves {
             let chart = Chart::new("", axis(range), axis(range)).with_curve(Curve::new("c", curve.iter().copied()));
             let markers = curve.iter().map(|&(x, y)| Marker::new("m", x, y, MarkerShape::Circle));
-            pictures.push(markers.fold(chart, Chart::with_marker).svg());
+            let chart = markers.fold(chart, Chart::with_marker);
+            let notes = curve.iter().map(|&(x, y)| Note::new("n", x, y, Side::Above));
+            let chart = notes.fold(chart, Chart::with_note).with_area(Area::new("a", curve.iter().copied(), 9));
+            pictures.push(chart.svg());
+            let (mut logarithmic, mut stepped) = (chart.clone(), chart);
+            for axis in [&mut logarithmic.x, &mut logarithmic.y] {
+                axis.logarithmic = true;
+            }
+            for axis in [&mut stepped.x, &mut stepped.y] {
+                axis.step = Some(tiny);
+            }
+            assert!(!logarithmic.text(30, 10).contains("NaN") && !stepped.text(30, 10).contains("NaN"));
+            pictures.push(logarithmic.svg_in(Theme::Dark));
+            pictures.push(stepped.with_size(nan, -1.0).svg());
             let values: Vec<f64> = curve.iter().flat_map(|&(x, y)| [x, y]).collect();
             for columns in [0, 1, 2, 7, usize::MAX] {
                 let (x, y) = (axis(range), axis(range));

@@ -53,14 +53,17 @@ impl LocusReport {
                 };
                 let first = degrees == EVERY;
                 let name = |words: &str| if first { format!("{side}, {words}") } else { String::new() };
-                let presses = Curve::new(name(&format!("every {EVERY}°")), [end(0.0), end(far)]).with_colour(colour);
-                let pulls = Curve::new(name("p < 0"), [end(0.0), end(-far)]).with_colour(colour).dashed();
+                let presses = Curve::new(name(&format!("every {EVERY}°")), [end(0.0), end(far)])
+                    .with_colour(colour)
+                    .with_width(1.4);
+                let pulls =
+                    Curve::new(name("p < 0"), [end(0.0), end(-far)]).with_colour(colour).with_width(1.4).dashed();
                 chart = chart.with_curve(presses).with_curve(pulls);
             }
         }
         for hand in Handedness::BOTH {
             let points = self.curve(hand).map(|(_, load)| (load.force * force.factor, load.moment * moment.factor));
-            chart = chart.with_curve(Curve::new("p = 0", points).with_colour(6));
+            chart = chart.with_curve(Curve::new("p = 0", points).with_colour(6).with_width(3.0));
         }
         for point in self.special_points() {
             let (name, shape) = match point.name {
