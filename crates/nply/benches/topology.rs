@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nply::geometry::Contact;
-use nply::topology::{Curve, linking_number};
+use nply::topology::{AverageCrossings, Curve, WritheMap, linking_number};
 
 type Vector = [f64; 3];
 
@@ -85,5 +85,27 @@ fn crossings(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, crossings);
+/// Pairs of segments, a column of sixty-four with all before it; and the writhe by segment.
+fn pairs(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("pairs");
+    group.sample_size(30);
+    for (name, points) in [("trefoil", trefoil(10_000)), ("six-ply", six_ply(10_000))] {
+        let curve = Curve::closed(points).unwrap();
+        let work = AverageCrossings::new(&curve);
+        let column = work.columns() - 2;
+        group.throughput(Throughput::Elements(work.pairs(column..column + 1)));
+        group.bench_function(format!("average crossings, {name}"), |b| {
+            b.iter(|| work.share(black_box(column..column + 1)))
+        });
+        let map = WritheMap::new(&curve, 1e-3).unwrap();
+        group.throughput(Throughput::Elements(10_000));
+        group.sample_size(10);
+        group.bench_function(format!("writhe by segment, {name}"), |b| {
+            b.iter(|| (0..map.parts()).map(|part| map.part(part).bound).sum::<f64>());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, crossings, pairs);
 criterion_main!(benches);

@@ -84,7 +84,7 @@ impl AverageCrossings {
 
 impl Curve {
     /// The average crossing number: how often the curve is seen to cross itself, as a mean over all directions; the integral (A.4) with its
-    /// integrand taken as positive. A sum over all pairs of segments.
+    /// integrand taken as positive. A sum over all pairs of segments; where they touch, the bound tells that rounding decides.
     #[must_use]
     pub fn average_crossing_number(&self) -> CrossingShare {
         let work = AverageCrossings::new(self);

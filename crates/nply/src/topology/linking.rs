@@ -36,8 +36,9 @@ pub struct LinkingIntegral {
 /// use nply::topology::{Curve, linking_number};
 /// let flat = Curve::closed(vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]])?;
 /// let upright = Curve::closed(vec![[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [1.0, 5.0, 0.0]])?;
-/// assert_eq!(linking_number(&flat, &upright)?.value, -1);
-/// assert_eq!(linking_number(&flat, &upright.reversed())?.value, 1);
+/// // up through a square that runs anticlockwise
+/// assert_eq!(linking_number(&flat, &upright)?.value, 1);
+/// assert_eq!(linking_number(&flat, &upright.reversed())?.value, -1);
 /// # Ok::<(), nply::topology::CurveError>(())
 /// ```
 ///

@@ -309,3 +309,30 @@ fn mad<const FUSED: bool>(x: f64, y: f64, z: f64) -> f64 {
     )]
     if FUSED { x.mul_add(y, z) } else { x * y + z }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the width of the registers, and fused or not, the sum is one and the same within its bound.
+    #[test]
+    fn plain_and_wide_agree() {
+        let at = |k: usize| {
+            let (sin, cos) = libm::sincos(0.02 * k as f64);
+            [cos, sin, 0.001 * k as f64]
+        };
+        let points: Vec<Vector> = (0..400).map(at).collect();
+        let (first, joined) = (|row: usize| row + 2, |_: usize, _: usize| false);
+        let mut own = [0.0; 300];
+        let wide = Block::new(&points, 256).sum::<false>(&points[..301], first, joined, &mut own);
+        let plain = Block::new(&points, 256).sum_of::<false, false>(&points[..301], first, joined, &mut []);
+        let pairs = (0..300).flat_map(|i| (256.max(i + 2)..320).map(move |j| (i, j)));
+        let by_pairs: f64 = pairs
+            .map(|(i, j)| half_solid_angle_with_bound([points[i], points[i + 1]], [points[j], points[j + 1]]).0)
+            .sum();
+        for part in [wide, plain] {
+            assert!((part.sum - by_pairs).abs() < part.bound && part.bound < 1e-10, "{part:?} {by_pairs}");
+        }
+        assert!((own.iter().sum::<f64>() - wide.sum).abs() < wide.bound);
+    }
+}
