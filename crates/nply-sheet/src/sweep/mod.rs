@@ -79,6 +79,8 @@ enum Abscissa {
 
 /// More plies than this cannot be told apart in a picture.
 const MOST_SERIES: usize = 24;
+/// Colours of the palette that tell numbers of strands, but for black.
+const COLOURS: usize = 6;
 
 impl Spec {
     /// The sweep that flags ask for, of the ply described here.
@@ -110,6 +112,12 @@ impl Spec {
         if plies.len() > MOST_SERIES {
             let message =
                 format!("{} plies in one picture cannot be told apart: ask for {MOST_SERIES} at most", plies.len());
+            return Err(refused(ErrorKind::Domain, "strands", &message));
+        }
+        let numbers: std::collections::BTreeSet<u32> = flags.strands.iter().copied().collect();
+        if numbers.len() > COLOURS {
+            let message =
+                format!("{} numbers of strands have no colours of their own: ask for {COLOURS} at most", numbers.len());
             return Err(refused(ErrorKind::Domain, "strands", &message));
         }
         let mut found: Option<(Case, Abscissa)> = None;

@@ -41,26 +41,25 @@ impl Sweep {
             Some(column) => column.of(&point.state).unwrap_or(f64::NAN),
             None => point.x,
         };
-        // poles stand on little of the axis: each number counts by how much it stands on
-        let weighed: Vec<(f64, f64, f64)> = curves
-            .iter()
-            .flat_map(|curve| {
-                let places: Vec<f64> = curve.points.iter().map(along).collect();
-                let values = curve.points.iter().map(|point| column.of(&point.state).unwrap_or(f64::NAN));
-                let weights = weights(&places);
-                places.iter().copied().zip(values).zip(weights).map(|((x, y), w)| (x, y, w)).collect::<Vec<_>>()
-            })
-            .collect();
         let (from, to) = self.range();
         let across = match self.against {
             None => Window::from(from, to, self.scales.log_x),
-            Some(_) => {
-                // here what is asked, as it runs, says how much a place counts
-                let all: Vec<(f64, f64)> = weighed.iter().map(|&(x, ..)| (x, 1.0)).collect();
-                Window::around(&all, self.scales.log_x)
+            Some(shown) => {
+                // here every place counts the same
+                let places = curves.iter().flat_map(|curve| &curve.points).map(|point| (along(point), 1.0));
+                Window::of(shown.measure, &places.collect::<Vec<_>>(), self.scales.log_x)
             }
         };
-        let up = Window::around(&weighed.iter().map(|&(_, y, w)| (y, w)).collect::<Vec<_>>(), self.scales.log_y);
+        // poles stand on little of the axis: each number counts by how much it stands on
+        let weighed: Vec<(f64, f64)> = curves
+            .iter()
+            .flat_map(|curve| {
+                let shares: Vec<f64> = curve.points.iter().map(|point| across.share(along(point))).collect();
+                let values = curve.points.iter().map(|point| column.of(&point.state).unwrap_or(f64::NAN));
+                values.zip(weights(&shares)).collect::<Vec<_>>()
+            })
+            .collect();
+        let up = Window::of(column.measure, &weighed, self.scales.log_y);
         let largest = |window: Window| window.low.abs().max(window.high.abs());
         let reading = column.measure.reading(self.known(), &self.case.units, largest(up));
         let (_, label, below) = self.axis(largest(across));

@@ -1,5 +1,7 @@
 //! The part of the numbers that a picture shows.
 
+use crate::report::Measure;
+
 /// Which axes are logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Scales {
@@ -56,6 +58,16 @@ impl Window {
             true => Self::from(libm::pow(10.0, low), libm::pow(10.0, high), true),
             false => Self::from(low, high, false),
         }
+    }
+
+    /// Of numbers of a kind: angles and shares, which have bounds of their own, are all shown.
+    pub(super) fn of(measure: Measure, numbers: &[(f64, f64)], logarithmic: bool) -> Self {
+        if !matches!(measure, Measure::Degrees | Measure::Percent) || logarithmic {
+            return Self::around(numbers, logarithmic);
+        }
+        let finite = numbers.iter().map(|(value, _)| *value).filter(|value| value.is_finite());
+        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        if high > low { Self::from(low, high, false) } else { Self::around(numbers, false) }
     }
 
     /// From a number to a greater one; a logarithmic scale is for numbers greater than 0.
