@@ -43,7 +43,7 @@ fn measured(arguments: &[&str], coating: f64) -> (f64, f64) {
 
 #[test]
 fn seven_wires_laid_upright_overlap_and_the_corrected_radius_clears_them() {
-    let upright = [&STRAND[..], &["--helix-radius", "2 mm"]].concat();
+    let upright = [&STRAND[..], &["--lay-radius", "2 mm"]].concat();
     let report = json(&[&upright[..], &["--json"]].concat());
     assert_eq!(report["clear"], false);
     assert!(out(&upright).contains("The elements overlap"));
@@ -87,7 +87,7 @@ fn what_cannot_be_laid_is_refused_in_one_sentence() {
         (&["--helical-angle", "0 deg"][..], 1, "straight strands have no turns"),
         (&["--helical-angle", "20 deg", "--elements-per-pitch", "2"], 1, "at least 3"),
         (&["--helical-angle", "20 deg", "--coating", "-1"], 1, "thickness of at least 0"),
-        (&["--helical-angle", "20 deg", "--helix-radius", "0"], 1, "greater than 0"),
+        (&["--helical-angle", "20 deg", "--lay-radius", "0"], 1, "greater than 0"),
         (&["--helical-angle", "20 deg", "--stagger", "nan"], 1, "finite"),
         (&["--helical-angle", "20 deg", "--core", "1 mm"], 2, "no size to measure it by"),
         (&["--lay-length", "12.5", "--coating", "0.3"], 1, "no lay of this length"),

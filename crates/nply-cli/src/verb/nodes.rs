@@ -15,7 +15,7 @@ const LONG: &str = "\
 Wires of straight elements lie closer than the helices they stand for: laid to touch, they overlap. This finds the least
 helix radius at which the elements keep clear, by their diameter and twice the coating, of each other and of a core, at
 the helical angle given, or at the lay length if that is given; says what part of the gap chords take; and writes the nodes
-(INP, CSV, XYZ, PDB, VTP) with --output. With --helix-radius that radius is taken, and it is said whether it clears.";
+(INP, CSV, XYZ, PDB, VTP) with --output. With --lay-radius that radius is taken, and it is said whether it clears.";
 
 pub(super) const VERB: Verb = Verb {
     name: "nodes",
@@ -28,7 +28,10 @@ pub(super) const VERB: Verb = Verb {
 
 fn arguments(command: Command) -> Command {
     const MOST: i64 = 1_000_000;
-    let wanted = |key: &Key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name);
+    let wanted = |key: &Key| {
+        (key.table == Table::Lay && key.name != "helix_radius")
+            || ["strands", "hand", "radius", "diameter"].contains(&key.name)
+    };
     let text = |name: &'static str, value: &'static str, help: &'static str| {
         Arg::new(name).long(name).value_name(value).allow_hyphen_values(true).help(help)
     };
@@ -56,7 +59,7 @@ fn arguments(command: Command) -> Command {
                 .conflicts_with("stagger")
                 .help("Keep clear however the nodes of two wires stand to each other"),
         )
-        .arg(text("helix-radius", "LENGTH", "Take this radius of the centrelines' helices, clear or not"))
+        .arg(text("lay-radius", "LENGTH", "Take this radius of the centrelines' helices, clear or not"))
         .arg(text("length", "LENGTH", "How much of the ply, along its axis"))
         .arg(
             text("lay-lengths", "NUMBER", "The same in lay lengths, turns of a wire (3)")
@@ -89,7 +92,7 @@ fn made(arguments: &ArgMatches, input: &Input) -> Result<(StartGeometry, Option<
         core: text(arguments, "core"),
         stagger: arguments.get_one::<f64>("stagger").copied(),
         any_stagger: arguments.get_flag("any-stagger"),
-        helix_radius: text(arguments, "helix-radius"),
+        helix_radius: text(arguments, "lay-radius"),
         length: text(arguments, "length"),
         lay_lengths: arguments.get_one::<f64>("lay-lengths").copied(),
     };

@@ -114,7 +114,7 @@ impl StartGeometry {
         let held = match wanted.helix_radius {
             None => None,
             Some(text) => {
-                let radius = positive_length("helix-radius", text, radius, false)?;
+                let radius = positive_length("lay-radius", text, radius, false)?;
                 let chords = match lay_length {
                     // the lay length is held, and the angle follows
                     Some(length) => nply::geometry::HelicalAngle::new(libm::atan(TAU * radius / length))
