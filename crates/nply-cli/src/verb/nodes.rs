@@ -26,9 +26,14 @@ pub(super) const VERB: Verb = Verb {
     run,
 };
 
+/// `--helix-radius` here, which is not the key of that name.
+const LAID: &str = "laid-helix-radius";
+
 fn arguments(command: Command) -> Command {
     const MOST: i64 = 1_000_000;
-    let wanted = |key: &Key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name);
+    let known = |key: &Key| key.table == Table::Lay || ["strands", "hand", "radius", "diameter"].contains(&key.name);
+    // the radius at which nodes are laid is asked for below, and is no shape of touching strands
+    let wanted = |key: &Key| known(key) && key.flag != "helix-radius";
     let text = |name: &'static str, value: &'static str, help: &'static str| {
         Arg::new(name).long(name).value_name(value).allow_hyphen_values(true).help(help)
     };
@@ -56,7 +61,7 @@ fn arguments(command: Command) -> Command {
                 .conflicts_with("stagger")
                 .help("Keep clear however the nodes of two wires stand to each other"),
         )
-        .arg(text("helix-radius", "LENGTH", "Take this radius of the centrelines' helices, clear or not"))
+        .arg(text("helix-radius", "LENGTH", "Take this radius of the centrelines' helices, clear or not").id(LAID))
         .arg(text("length", "LENGTH", "How much of the ply, along its axis"))
         .arg(
             text("lay-lengths", "NUMBER", "The same in lay lengths, turns of a wire (3)")
@@ -89,7 +94,7 @@ fn made(arguments: &ArgMatches, input: &Input) -> Result<(StartGeometry, Option<
         core: text(arguments, "core"),
         stagger: arguments.get_one::<f64>("stagger").copied(),
         any_stagger: arguments.get_flag("any-stagger"),
-        helix_radius: text(arguments, "helix-radius"),
+        helix_radius: text(arguments, LAID),
         length: text(arguments, "length"),
         lay_lengths: arguments.get_one::<f64>("lay-lengths").copied(),
     };
