@@ -51,3 +51,11 @@ fn the_gallery_shows_each() {
     }
     assert_eq!(page.matches("<svg ").count(), figures.len());
 }
+
+/// The book's page is the one that the recipe writes.
+#[test]
+fn the_book_says_what_the_captions_say() {
+    let figures: Vec<Figure> = Figure::names().map(|name| Figure::named(name).unwrap().unwrap()).collect();
+    let page = include_str!("../../../../docs/figures/README.md");
+    assert!(markdown(&figures, "svg") == page, "draw the figures anew by `cargo xtask figures`");
+}
