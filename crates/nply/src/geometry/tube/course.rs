@@ -83,6 +83,14 @@ impl Course {
         }
     }
 
+    /// The distance of a point from the course near a parameter.
+    pub(super) fn distance_near(&self, point: Vector, t: f64) -> f64 {
+        match self {
+            Self::Helix(helix) => helix.nearest(point).1,
+            Self::DoubleHelix(double) => double.foot(point, t).1,
+        }
+    }
+
     /// The mean height gained per t, greater than 0: cos θ of the helix.
     #[must_use]
     pub const fn rise(&self) -> f64 {

@@ -118,8 +118,9 @@ impl DoubleHelix {
     }
 
     /// The foot of the perpendicular from a point, from a start close to it.
-    fn foot(&self, point: Vector, start: f64) -> (f64, f64) {
+    pub(super) fn foot(&self, point: Vector, start: f64) -> (f64, f64) {
         const STEPS: u32 = 40;
+        const SETTLED: f64 = 1e-9; // the distance is settled to the square of this
         const NUDGE: f64 = 1e-4;
         let slope = |s: f64| {
             let place = self.place(s);
@@ -132,11 +133,11 @@ impl DoubleHelix {
             // where the distance is no valley, the way down is still the gradient's
             let mut step = -best.0 / if bend > 0.1 * best.1 { bend } else { best.1 };
             let mut next = slope(s + step);
-            while next.2 > best.2 && step.abs() > 1e-13 * (1.0 + s.abs()) {
+            while next.2 > best.2 && step.abs() > SETTLED {
                 step *= 0.5;
                 next = slope(s + step);
             }
-            if step.abs() <= 1e-13 * (1.0 + s.abs()) {
+            if step.abs() <= SETTLED {
                 break;
             }
             (s, best) = (s + step, next);

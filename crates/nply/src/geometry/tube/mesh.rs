@@ -103,10 +103,15 @@ impl Tube {
         let (mut around, mut along) = (round.max(6.0), ((end - start) * turning / step).max(1.0));
         for _ in 0..ROUNDS {
             let facets = Facets { around: whole(around)?, along: whole(along)? };
-            let (placing, deviation) = self.placed(facets, fit)?;
+            let (placing, deviation) = self.placed(facets, Fit::Surface)?;
             let near = |off: [f64; 2]| off.iter().all(|off| off.abs() <= chord_error);
-            // the share that keeps the volume is only known of the whole
-            if near(deviation) && (fit != Fit::Volume || near(self.mesh(facets, fit)?.deviation)) {
+            // a fit of facets too coarse leads nowhere, and the share that keeps the volume is only known of the whole
+            let fitted = |fit: Fit| match fit {
+                Fit::Surface => Ok(deviation),
+                Fit::Inside | Fit::Outside => Ok(self.placed(facets, fit)?.1),
+                Fit::Volume => Ok(self.mesh(facets, fit)?.deviation),
+            };
+            if near(deviation) && near(fitted(fit)?) {
                 return Ok(facets);
             }
             let [across, on] = self.sagittas(facets, placing)?;
@@ -156,7 +161,7 @@ impl Tube {
 
     /// The share of the radius that makes the fit, the better way of halving facets, and how far the triangles then lie off.
     fn placed(&self, facets: Facets, fit: Fit) -> Result<(Placing, [f64; 2]), DomainError> {
-        const ROUNDS: u32 = 12;
+        const ROUNDS: u32 = 40;
         check(facets)?;
         let x = TAU / f64::from(facets.around);
         let share = match fit {
@@ -210,13 +215,20 @@ impl Tube {
         [x, y, height]
     }
 
-    /// How far triangles lie inside and outside, at a lattice of points. Where the course is uniform one ring of facets is like any other,
-    /// and is measured the more closely.
+    /// How far triangles lie inside and outside, at a lattice of points. Where the course is uniform and untwisted one ring of facets is like
+    /// any other; where it is twisted, rings differ in where their columns stand, and some of them are measured.
     fn deviation(&self, facets: Facets, placing: Placing) -> Result<[f64; 2], DomainError> {
-        let (rings, order) = if self.course.is_uniform() { (1, 6) } else { (facets.along, 4) };
+        const TWISTED: u32 = 12;
+        let all = facets.along;
+        let (rings, order) = match (self.course.is_uniform(), self.twist == 0.0) {
+            (true, true) => (1, 6),
+            (true, false) => (all.min(TWISTED), 6),
+            (false, _) => (all, 4),
+        };
         let mut off = [0.0_f64.min(placing.share - 1.0), 0.0_f64.max(placing.share - 1.0)].map(|off| off * self.radius);
-        let mut below = self.ring(facets, 0, placing.share)?;
-        for i in 0..rings {
+        for k in 0..rings {
+            let i = if rings == all { k } else { k * (all / rings) };
+            let below = self.ring(facets, i, placing.share)?;
             let above = self.ring(facets, i + 1, placing.share)?;
             for j in 0..below.len() {
                 let k = (j + 1) % below.len();
@@ -224,12 +236,11 @@ impl Tube {
                     let [a, b, c] = corners.map(|corner| corner.position);
                     for [u, v, w] in lattice(order) {
                         let point = core::array::from_fn(|i| u * a[i] + v * b[i] + w * c[i]);
-                        let distance = self.distance(point);
+                        let distance = self.course.distance_near(point, corners[0].t) - self.radius;
                         off = [off[0].min(distance), off[1].max(distance)];
                     }
                 }
             }
-            below = above;
         }
         Ok(off)
     }
