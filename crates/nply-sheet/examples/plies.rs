@@ -29,7 +29,7 @@ fn picture() -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     let plies = PLIES.map(assembly).into_iter().collect::<Result<Vec<_>, _>>()?;
     let heights = [6.3, 1.0, -5.6];
     let placed: Vec<_> = plies.iter().zip(heights).map(|(ply, up)| (ply, [0.0, up, 0.0])).collect();
-    let view = View { width: 700, tilt: 0.48, roll: -0.12, turn: 0.3, ..View::default() };
+    let view = View { width: 660, tilt: 0.48, roll: -0.12, turn: 0.3, ..View::default() };
     let picture = Picture::of(&placed, view)?;
     let count = std::thread::available_parallelism()?.get() as u32;
     // every thread takes each so-manieth row
