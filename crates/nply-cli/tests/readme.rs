@@ -42,7 +42,10 @@ fn the_readme_shows_real_commands() {
             }
         }
         let words: Vec<&str> = words[1..].iter().map(String::as_str).collect();
-        assert!(!nply(&words).is_empty(), "{line}");
+        let said = nply(&words);
+        // an answer, or the file that was asked for
+        let written = words.windows(2).any(|pair| pair[0] == "--output" && std::path::Path::new(pair[1]).exists());
+        assert!(!said.is_empty() || written, "{line}");
         count += 1;
     }
     assert!(count >= 6);
