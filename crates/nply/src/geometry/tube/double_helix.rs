@@ -66,6 +66,12 @@ impl DoubleHelix {
         self.rate
     }
 
+    /// φ₀, rad.
+    #[must_use]
+    pub const fn phase(&self) -> f64 {
+        self.phase
+    }
+
     /// The place at strand arclength S.
     #[must_use]
     pub fn place(&self, s: f64) -> Place {
@@ -118,7 +124,7 @@ impl DoubleHelix {
     }
 
     /// The foot of the perpendicular from a point, from a start close to it.
-    fn foot(&self, point: Vector, start: f64) -> (f64, f64) {
+    pub(super) fn foot(&self, point: Vector, start: f64) -> (f64, f64) {
         const STEPS: u32 = 40;
         const NUDGE: f64 = 1e-4;
         let slope = |s: f64| {

@@ -97,10 +97,8 @@ impl Tube {
         let [start, end] = self.parameters();
         // sagittas round the section and along the outermost line
         let round = PI / libm::acos(1.0 - chord_error / self.radius);
-        let reach = self.course.outermost() + self.radius;
-        let step = 2.0 * libm::acos((1.0 - chord_error / reach).max(0.0));
-        let turning = self.course.turning() + if self.twist == 0.0 { 0.0 } else { self.twist.abs() };
-        let (mut around, mut along) = (round.max(6.0), ((end - start) * turning / step).max(1.0));
+        let steps = (end - start) * libm::sqrt(self.course.bend(self.radius, self.twist) / (8.0 * chord_error));
+        let (mut around, mut along) = (round.max(6.0), steps.max(1.0));
         for _ in 0..ROUNDS {
             let facets = Facets { around: whole(around)?, along: whole(along)? };
             let (placing, deviation) = self.placed(facets, fit)?;
@@ -211,25 +209,27 @@ impl Tube {
     }
 
     /// How far triangles lie inside and outside, at a lattice of points. Where the course is uniform one ring of facets is like any other,
-    /// and is measured the more closely.
+    /// and is measured the more closely; else those of one period are, or as many of them as tell.
     fn deviation(&self, facets: Facets, placing: Placing) -> Result<[f64; 2], DomainError> {
-        let (rings, order) = if self.course.is_uniform() { (1, 6) } else { (facets.along, 4) };
+        const TELLING: u32 = 24;
+        let [start, end] = self.parameters();
+        let period = self.course.period() * f64::from(facets.along) / (end - start);
+        let (rings, order) = if self.course.is_uniform() { (1, 6) } else { (least(period, facets.along), 4) };
         let mut off = [0.0_f64.min(placing.share - 1.0), 0.0_f64.max(placing.share - 1.0)].map(|off| off * self.radius);
-        let mut below = self.ring(facets, 0, placing.share)?;
-        for i in 0..rings {
-            let above = self.ring(facets, i + 1, placing.share)?;
+        for i in (0..rings).step_by(rings.div_ceil(TELLING) as usize) {
+            let [below, above] = [self.ring(facets, i, placing.share)?, self.ring(facets, i + 1, placing.share)?];
             for j in 0..below.len() {
                 let k = (j + 1) % below.len();
                 for corners in halves([below[j], above[j], above[k], below[k]], placing.flipped) {
                     let [a, b, c] = corners.map(|corner| corner.position);
+                    let [at_a, at_b, at_c] = corners.map(|corner| corner.t);
                     for [u, v, w] in lattice(order) {
                         let point = core::array::from_fn(|i| u * a[i] + v * b[i] + w * c[i]);
-                        let distance = self.distance(point);
+                        let distance = self.distance_from(point, u * at_a + v * at_b + w * at_c);
                         off = [off[0].min(distance), off[1].max(distance)];
                     }
                 }
             }
-            below = above;
         }
         Ok(off)
     }
@@ -411,6 +411,13 @@ fn too_many(corners: f64) -> DomainError {
     let allowed =
         "at least 3 round and 1 along, with at most 134217728 corners: allow a greater chord error or a shorter ply";
     DomainError { quantity: "facets", value: corners, allowed }
+}
+
+/// A number of rings, at least 1 and at most as many as there are.
+fn least(rings: f64, most: u32) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+    let rings = libm::ceil(rings).clamp(1.0, f64::from(most)) as u32;
+    rings
 }
 
 fn whole(count: f64) -> Result<u32, DomainError> {
