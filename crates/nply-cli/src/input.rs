@@ -13,7 +13,7 @@ use crate::failure::Failure;
 /// What was written, and the text of the file for messages.
 pub(crate) struct Input<S = Spec> {
     pub(crate) spec: S,
-    text: String,
+    pub(crate) text: String,
 }
 
 /// A ply is some lines; what is larger than this (1 MiB) is some other file.

@@ -209,17 +209,25 @@ impl Course {
         }
     }
 
-    /// About the greatest second derivative by t of the lines along a tube of a radius, per r.
-    pub(super) fn bend(&self, radius: f64, twist: f64) -> f64 {
-        let of = |axis: &Centreline, reach: f64| {
-            let turning = axis.azimuth_rate().abs() + twist.abs();
-            reach * turning * turning
-        };
+    /// The radius of a helix that lines along a tube are about as curved as, in units of r.
+    pub(super) fn bend_reach(&self, radius: f64) -> f64 {
+        let reach = self.outermost() + radius;
         match self {
-            Self::Helix(helix) => of(helix, helix.radius() + radius),
+            Self::Helix(_) => reach,
             Self::DoubleHelix(double) => {
-                let turning = double.rate() + double.axis().torsion();
-                of(double.axis(), double.axis().radius()) + (double.radius() + radius) * turning * turning
+                let about_axis = double.axis().azimuth_rate() / self.bend_turning();
+                double.radius() + radius + double.axis().radius() * about_axis * about_axis
+            }
+        }
+    }
+
+    /// And how that helix turns, rad per t.
+    pub(super) fn bend_turning(&self) -> f64 {
+        match self {
+            Self::Helix(helix) => helix.azimuth_rate().abs(),
+            Self::DoubleHelix(double) => {
+                let about_strand = (double.rate() + double.axis().torsion()).abs();
+                about_strand.max(double.axis().azimuth_rate().abs()).max(f64::MIN_POSITIVE)
             }
         }
     }

@@ -97,7 +97,9 @@ impl Tube {
         let [start, end] = self.parameters();
         // sagittas round the section and along the outermost line
         let round = PI / libm::acos(1.0 - chord_error / self.radius);
-        let steps = (end - start) * libm::sqrt(self.course.bend(self.radius, self.twist) / (8.0 * chord_error));
+        let sagitta = 1.0 - chord_error / self.course.bend_reach(self.radius);
+        let step = 2.0 * libm::acos(sagitta.max(0.0));
+        let steps = (end - start) * (self.course.bend_turning() + self.twist.abs()) / step;
         let (mut around, mut along) = (round.max(6.0), steps.max(1.0));
         for _ in 0..ROUNDS {
             let facets = Facets { around: whole(around)?, along: whole(along)? };
