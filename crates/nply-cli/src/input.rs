@@ -5,15 +5,15 @@ use std::io::{self, Read as _};
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use nply_sheet::construction::{CONSTRUCTION_KEYS, ConstructionSpec};
-use nply_sheet::{KEYS, Spec, SpecError};
+use nply_sheet::construction::{CONSTRUCTION_KEYS, ConstructionSpec, is_layered};
+use nply_sheet::{ErrorKind, KEYS, Place, Spec, SpecError};
 
 use crate::failure::Failure;
 
 /// What was written, and the text of the file for messages.
 pub(crate) struct Input<S = Spec> {
     pub(crate) spec: S,
-    text: String,
+    pub(crate) text: String,
 }
 
 /// A ply is some lines; what is larger than this (1 MiB) is some other file.
@@ -25,21 +25,63 @@ impl<S> Input<S> {
     }
 }
 
+/// The description of a shape: of a ply, or of a layered strand.
+pub(crate) enum Described {
+    Ply(Spec),
+    Layered(ConstructionSpec),
+}
+
 /// Reads the file, if one is named, and lays the flags over it.
 pub(crate) fn read(arguments: &ArgMatches) -> Result<Input, Failure> {
-    let flags: Vec<(&str, &str)> = KEYS
-        .iter()
+    let flags = flags(arguments);
+    let Some(path) = arguments.get_one::<String>("file") else {
+        return over(None, &flags);
+    };
+    let (name, bytes) = contents(path)?;
+    over(Some((name, &bytes)), &flags)
+}
+
+/// As [`read`], or a layered strand, if the file describes one; flags of a ply have no place there.
+pub(crate) fn read_described(arguments: &ArgMatches) -> Result<Input<Described>, Failure> {
+    let flags = flags(arguments);
+    let file = arguments.get_one::<String>("file").map(|path| contents(path)).transpose()?;
+    if let Some((name, bytes)) = &file {
+        let text = String::from_utf8_lossy(bytes).into_owned();
+        if is_layered(&text) {
+            if let Some((flag, _)) = flags.first() {
+                let message = format!(
+                    "it says something of a ply of one layer, and {name} describes a layered strand: change it there"
+                );
+                let error = SpecError::new(ErrorKind::Contradiction, Place::Flag((*flag).to_owned()), message);
+                return Err(Failure::Refused(error, text));
+            }
+            return match ConstructionSpec::from_bytes(name, bytes) {
+                Ok(spec) => Ok(Input { spec: Described::Layered(spec), text }),
+                Err(error) => Err(Failure::Refused(error, text)),
+            };
+        }
+    }
+    let Input { spec, text } = over(file.as_ref().map(|(name, bytes)| (*name, bytes.as_slice())), &flags)?;
+    Ok(Input { spec: Described::Ply(spec), text })
+}
+
+/// The flags of a ply that were given.
+fn flags(arguments: &ArgMatches) -> Vec<(&'static str, &str)> {
+    KEYS.iter()
         .filter(|key| matches!(arguments.try_contains_id(key.flag), Ok(true)))
         .filter(|key| arguments.value_source(key.flag) == Some(ValueSource::CommandLine))
         .filter_map(|key| Some((key.flag, arguments.get_one::<String>(key.flag)?.as_str())))
-        .collect();
-    let flags = Spec::from_flags(flags).map_err(|error| Failure::Refused(error, String::new()))?;
-    let Some(path) = arguments.get_one::<String>("file") else {
+        .collect()
+}
+
+/// Flags laid over a file.
+fn over(file: Option<(&str, &[u8])>, flags: &[(&str, &str)]) -> Result<Input, Failure> {
+    let flags = Spec::from_flags(flags.iter().copied()).map_err(|error| Failure::Refused(error, String::new()))?;
+    let Some((name, bytes)) = file else {
         return Ok(Input { spec: flags, text: String::new() });
     };
-    let (name, bytes) = contents(path)?;
-    let text = String::from_utf8_lossy(&bytes).into_owned();
-    match Spec::from_bytes(name, &bytes) {
+    let text = String::from_utf8_lossy(bytes).into_owned();
+    match Spec::from_bytes(name, bytes) {
         Ok(spec) => Ok(Input { spec: spec.overridden_by(&flags), text }),
         Err(error) => Err(Failure::Refused(error, text)),
     }

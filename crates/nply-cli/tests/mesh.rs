@@ -419,3 +419,32 @@ fn a_pipe_gets_the_bytes() {
     let header = String::from_utf8(piped.stdout[..80].to_vec()).unwrap();
     assert!(header.contains("2 touching strands; coordinates in strand radii"), "{header}");
 }
+
+/// A rope from its file: a body for each wire, named by layer, strand and wire; what belongs to a ply is refused.
+#[test]
+fn a_rope_is_written_wire_by_wire() {
+    let rope = "examples/rope-6x7.toml";
+    let (bytes, said) = written("rope.obj", &[rope, "--length", "20 mm", "--chord-error", "0.1", "--unit", "mm"]);
+    let (soup, models) = obj(&bytes);
+    let names: Vec<&str> = models.iter().map(|model| model.name.as_str()).collect();
+    assert!(names.len() == 43 && names[0] == "layer1-strand1-wire1" && names[42] == "core", "{names:?}");
+    assert!(said.contains("layer 1: 6 strands, Z") && said.contains("20 mm"), "{said}");
+    // six wires and a core wire a strand, each longer than the rope by its lay, and the fibre core
+    let strand = 6.0 * 0.625_f64.powi(2) / (14.05_f64.to_radians().cos()) + 0.65_f64.powi(2);
+    let volume = PI * 20.0 * (6.0 * strand / 18.55_f64.to_radians().cos() + 2.1_f64.powi(2));
+    soup.check(43, volume);
+    let heights = soup.points.iter().map(|point| point[2]);
+    let [low, high] = heights.fold([f64::MAX, f64::MIN], |[low, high], z| [low.min(z), high.max(z)]);
+    assert!(low.abs() < 1e-6 && (high - 20.0).abs() < 1e-5);
+    let (bytes, _) = written("rope.csv", &[rope, "--centrelines", "--elements-per-pitch", "12"]);
+    let table = String::from_utf8(bytes).unwrap();
+    assert!(table.contains("\nlayer1-strand4-wire6,") && table.contains("\nlayer1-strand4-core,"));
+    for (arguments, part) in [
+        (&["mesh", rope, "--format", "stl", "--strands", "4"][..], "describes a layered strand"),
+        (&["mesh", rope, "--format", "stl", "--state", "2"], "has no states"),
+        (&["nodes", rope], "--centrelines"),
+    ] {
+        let found = call(arguments);
+        assert!(found.code != 0 && found.err.contains(part), "{arguments:?}: {}", found.err);
+    }
+}

@@ -7,15 +7,15 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply::geometry::{Ends, Fit};
 use nply_sheet::mesh::{
-    Assembly, FileUnit, Fineness, LineFormat, Spacing, Subject, Surface, SurfaceFormat, Wanted, chain_summary, chains,
-    surface_summary,
+    Assembly, FileUnit, Fineness, Layered, LineFormat, Spacing, Subject, Surface, SurfaceFormat, Wanted, chain_summary,
+    chains, surface_summary,
 };
 use nply_sheet::{ErrorKind, Place, SpecError};
 
 use super::Verb;
 use crate::arguments::{count, with_keys};
 use crate::failure::Failure;
-use crate::input;
+use crate::input::{self, Described, Input};
 use crate::output::{self, Draft};
 
 const LONG: &str = "\
@@ -25,7 +25,10 @@ nodes: CSV, XYZ, PDB, VTP and INP (Abaqus' beam elements). The end of the file's
 
 The ply is given as for `nply contact` (a lay), or as for `nply solve`, and then --state says which of its states is
 meant: if nothing is said, the first whose strands need not pull on each other. Lengths that flags say are written with
-their unit (\"20 mm\"), or bare in strand radii where the strand has no size.";
+their unit (\"20 mm\"), or bare in strand radii where the strand has no size.
+
+A file with [[layer]], as `nply fit-check` reads it, is a layered strand or a rope: all its wires are shown as they are laid,
+those of its strands as helices about helices, over one lay length of the outermost layer if no length is said.";
 
 pub(super) const VERB: Verb = Verb {
     name: "mesh",
@@ -58,7 +61,7 @@ pub(super) fn shown(command: Command) -> Command {
                 .long("lay-lengths")
                 .value_name("NUMBER")
                 .value_parser(value_parser!(f64))
-                .help("The same in lay lengths, turns of a strand (3)"),
+                .help("The same in lay lengths, turns of a strand (3; 1 of a layered strand)"),
         )
         .arg(
             Arg::new("core")
@@ -159,8 +162,32 @@ pub(super) fn wanted(arguments: &ArgMatches) -> Wanted<'_> {
     }
 }
 
+/// The ply or layered strand that is described, and as much of it as is wanted.
+pub(super) fn shape(
+    arguments: &ArgMatches,
+    described: &Described,
+    wanted: &Wanted<'_>,
+) -> Result<(Subject, Assembly), SpecError> {
+    match described {
+        Described::Ply(spec) => {
+            let ply = Subject::of(spec, state(arguments))?;
+            let assembly = Assembly::of(&ply, wanted)?;
+            Ok((ply, assembly))
+        }
+        Described::Layered(_) if state(arguments).is_some() => {
+            let message = "a layered strand is shown as it is laid, and has no states: leave it out";
+            Err(refusal("state", ErrorKind::Contradiction, message))
+        }
+        Described::Layered(spec) => {
+            let strand = Layered::of(spec)?;
+            let assembly = strand.assembly(wanted)?;
+            Ok((strand.subject().clone(), assembly))
+        }
+    }
+}
+
 /// The state that is chosen.
-pub(super) fn state(arguments: &ArgMatches) -> Option<usize> {
+fn state(arguments: &ArgMatches) -> Option<usize> {
     arguments.get_one::<u32>("state").map(|state| *state as usize)
 }
 
@@ -211,13 +238,13 @@ pub(super) fn deliver(arguments: &ArgMatches, bytes: &[u8], binary: bool, summar
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
-    let input = input::read(arguments)?;
+    let input = input::read_described(arguments)?;
     let (bytes, binary, summary) = made(arguments, &input).map_err(|error| input.refused(error))?;
     deliver(arguments, &bytes, binary, &summary)
 }
 
 /// The file, whether it is binary, and what is said of it.
-fn made(arguments: &ArgMatches, input: &input::Input) -> Result<(Vec<u8>, bool, String), SpecError> {
+fn made(arguments: &ArgMatches, input: &Input<Described>) -> Result<(Vec<u8>, bool, String), SpecError> {
     let wanted = wanted(arguments);
     let lines = arguments.get_flag("centrelines");
     // a name that no format has is refused before anything is worked out
@@ -231,8 +258,7 @@ fn made(arguments: &ArgMatches, input: &input::Input) -> Result<(Vec<u8>, bool, 
         formats.map(SurfaceFormat::extension).collect()
     };
     let format = format(arguments, &known)?;
-    let ply = Subject::of(&input.spec, state(arguments))?;
-    let assembly = Assembly::of(&ply, &wanted)?;
+    let (ply, assembly) = shape(arguments, &input.spec, &wanted)?;
     let unit = |own| FileUnit::of(&ply, text(arguments, "unit"), own);
     if let Some(format) =
         LineFormat::ALL.into_iter().find(|known| lines && known.extension().eq_ignore_ascii_case(format))

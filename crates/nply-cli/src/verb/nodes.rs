@@ -2,13 +2,13 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply_sheet::mesh::{FileUnit, LineFormat, StartGeometry, StartWanted};
-use nply_sheet::{Key, SpecError, Table};
+use nply_sheet::{ErrorKind, Key, SpecError, Table};
 
 use super::Verb;
 use super::mesh::{deliver, format, text};
 use crate::arguments::{count, json, with_keys};
 use crate::failure::Failure;
-use crate::input::{self, Input};
+use crate::input::{self, Described, Input};
 use crate::output;
 
 const LONG: &str = "\
@@ -75,7 +75,19 @@ fn arguments(command: Command) -> Command {
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
-    let input = input::read(arguments)?;
+    let Input { spec, text } = input::read_described(arguments)?;
+    let spec = match spec {
+        Described::Ply(spec) => spec,
+        Described::Layered(_) => {
+            let message = "the file describes a layered strand, and clear elements are found for plies of one layer: `nply mesh FILE \
+                           --centrelines` writes the nodes of all its wires, and `nply clearance` says how near their elements come";
+            return Err(Failure::Refused(
+                SpecError::new(ErrorKind::Contradiction, nply_sheet::Place::Flag("FILE".to_owned()), message),
+                text,
+            ));
+        }
+    };
+    let input = Input { spec, text };
     let (start, file, unit) = made(arguments, &input).map_err(|error| input.refused(error))?;
     let report = if arguments.get_flag("json") { start.json() } else { start.text(&unit) };
     match file {

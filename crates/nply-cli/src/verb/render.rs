@@ -3,13 +3,12 @@
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
-use nply_sheet::mesh::{Assembly, Subject};
 use nply_sheet::render::{Ground, Picture, View};
 use nply_sheet::{Dimension, ErrorKind, Quantity, SpecError};
 use rayon::prelude::*;
 
 use super::Verb;
-use super::mesh::{deliver, refusal, shown, state, text, wanted};
+use super::mesh::{deliver, refusal, shape, shown, text, wanted};
 use crate::arguments::count;
 use crate::failure::Failure;
 use crate::input;
@@ -87,15 +86,14 @@ fn view(arguments: &ArgMatches) -> Result<View, SpecError> {
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
-    let input = input::read(arguments)?;
+    let input = input::read_described(arguments)?;
     let refused = |error| input.refused(error);
     let view = view(arguments).map_err(refused)?;
     if text(arguments, "output").is_none() {
         let message = "say where to write the picture, by --output FILE, or --output - for a pipe";
         return Err(input.refused(refusal("output", ErrorKind::Missing, message)));
     }
-    let ply = Subject::of(&input.spec, state(arguments)).map_err(refused)?;
-    let assembly = Assembly::of(&ply, &wanted(arguments)).map_err(refused)?;
+    let (ply, assembly) = shape(arguments, &input.spec, &wanted(arguments)).map_err(refused)?;
     let no_picture =
         |error: nply_sheet::render::RenderError| input.refused(refusal("width", ErrorKind::Domain, error.to_string()));
     let picture = Picture::of(&[(&assembly, [0.0; 3])], view).map_err(no_picture)?;

@@ -98,6 +98,19 @@ pub struct Layer {
     pub strand: Option<Box<Construction>>,
 }
 
+/// Whether a text describes a layered strand, and no ply of one layer: whether it has `[construction]` or `[[layer]]`.
+///
+/// ```
+/// use nply_sheet::construction::is_layered;
+/// assert!(is_layered("[[layer]]\nwires = 6\n") && !is_layered("[ply]\nstrands = 3\n"));
+/// ```
+#[must_use]
+pub fn is_layered(text: &str) -> bool {
+    toml::de::DeTable::parse(text).is_ok_and(|document| {
+        document.get_ref().iter().any(|(header, _)| ["construction", "layer"].contains(&header.get_ref().as_ref()))
+    })
+}
+
 impl Construction {
     /// A refusal of the theory, said at the datum of a layer (counted from 0) it is about.
     ///

@@ -293,7 +293,7 @@ impl ConstructionSpec {
     }
 
     /// What is missing, at the layer it is missing in or at the head of the input.
-    pub(super) fn missing(&self, layer: Option<usize>, datum: Datum, message: impl Into<String>) -> SpecError {
+    pub(crate) fn missing(&self, layer: Option<usize>, datum: Datum, message: impl Into<String>) -> SpecError {
         let (name, flag) = Key::of(datum).map_or(("", ""), |key| (key.name, key.flag));
         let part = layer.and_then(|layer| self.layers.get(layer)).map(|part| part.place.clone());
         let in_file = part.filter(|place| matches!(place, Place::File { .. })).or_else(|| self.start.clone());

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nply::geometry::{Centreline, ContactLine, Ends, Tube, Vector};
 
-use super::size::{length, positive_length};
+use super::size::{length_of, positive_length};
 use super::subject::{Subject, flag};
 use crate::plot::STRANDS;
 use crate::{ErrorKind, SpecError};
@@ -77,7 +77,7 @@ pub struct Wanted<'w> {
 /// The colour of a core.
 pub const CORE_COLOUR: [u8; 3] = [0x99, 0x99, 0x99];
 /// The most wires of which a file is made.
-const MOST_WIRES: u32 = 10_000;
+pub(super) const MOST_WIRES: u32 = 10_000;
 
 impl Assembly {
     /// The strands of a ply, its core, and what is wanted on them.
@@ -95,11 +95,12 @@ impl Assembly {
     /// # Ok::<(), nply_sheet::SpecError>(())
     /// ```
     pub fn of(ply: &Subject, wanted: &Wanted<'_>) -> Result<Self, SpecError> {
+        const TURNS: f64 = 3.0;
         if ply.strands > MOST_WIRES {
             let message = format!("{} strands are too many to be drawn: at most {MOST_WIRES} are", ply.strands);
             return Err(flag("strands", ErrorKind::Domain, message));
         }
-        let top = ply_length(ply, wanted)?;
+        let top = ply_length(ply, wanted, TURNS)?;
         let refused = |error: nply::DomainError| flag("length", ErrorKind::Domain, error.to_string());
         let mut wires = Vec::new();
         for i in 0..ply.strands {
@@ -128,14 +129,7 @@ impl Assembly {
         if wanted.contact_lines {
             lines.extend(contact_lines(ply, core, top)?);
         }
-        for (number, cut) in wanted.cuts.iter().enumerate() {
-            let height = length("cut", cut, ply.strand_radius, false)?;
-            if !(0.0..=top).contains(&height) {
-                let message = format!("the plane at {cut} passes by the ply, which reaches from 0 to its length");
-                return Err(flag("cut", ErrorKind::Domain, message));
-            }
-            lines.extend(wires.iter().map(|wire| outline(wire, height, number + 1)));
-        }
+        lines.extend(outlines(&wires, wanted, ply, top)?);
         Ok(Self { title: ply.title.clone(), wires, lines })
     }
 
@@ -153,17 +147,20 @@ impl Assembly {
     }
 }
 
-/// The length of ply that is wanted, in units of r.
-fn ply_length(ply: &Subject, wanted: &Wanted<'_>) -> Result<f64, SpecError> {
-    const TURNS: f64 = 3.0;
+/// The length of ply that is wanted, in units of r; so many turns, if none is said.
+pub(super) fn ply_length(ply: &Subject, wanted: &Wanted<'_>, otherwise: f64) -> Result<f64, SpecError> {
     if let (Some(_), Some(_)) = (wanted.length, wanted.lay_lengths) {
         let message = "--length and --lay-lengths both say how much of the ply: remove one of them";
         return Err(flag("length", ErrorKind::Contradiction, message));
     }
     if let Some(text) = wanted.length {
-        return positive_length("length", text, ply.strand_radius, false);
+        let length = length_of("length", text, ply)?;
+        if length > 0.0 && length < f64::INFINITY {
+            return Ok(length);
+        }
+        return Err(flag("length", ErrorKind::Domain, format!("{}: it must be greater than 0", crate::quoted(text))));
     }
-    let turns = wanted.lay_lengths.unwrap_or(TURNS);
+    let turns = wanted.lay_lengths.unwrap_or(otherwise);
     let length = turns * ply.lay_length();
     if length > 0.0 && length < f64::INFINITY {
         return Ok(length);
@@ -236,6 +233,20 @@ fn contact_lines(ply: &Subject, core: Option<f64>, top: f64) -> Result<Vec<Line>
     if lines.is_empty() {
         let message = "no two surfaces touch in this ply: leave it out";
         return Err(flag("contact-lines", ErrorKind::Domain, message));
+    }
+    Ok(lines)
+}
+
+/// The outlines of all wires in the planes that are wanted.
+pub(super) fn outlines(wires: &[Wire], wanted: &Wanted<'_>, ply: &Subject, top: f64) -> Result<Vec<Line>, SpecError> {
+    let mut lines = Vec::new();
+    for (number, cut) in wanted.cuts.iter().enumerate() {
+        let height = length_of("cut", cut, ply)?;
+        if !(0.0..=top).contains(&height) {
+            let message = format!("the plane at {cut} passes by the ply, which reaches from 0 to its length");
+            return Err(flag("cut", ErrorKind::Domain, message));
+        }
+        lines.extend(wires.iter().map(|wire| outline(wire, height, number + 1)));
     }
     Ok(lines)
 }

@@ -1,6 +1,6 @@
 //! Centrelines as chains of nodes.
 
-use nply::geometry::Vector;
+use nply::geometry::{Course, Vector};
 
 use super::Assembly;
 use super::subject::{Subject, flag};
@@ -52,19 +52,26 @@ pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Ve
     let [low, high] = assembly.heights();
     let per = f64::from(spacing.per_lay_length.unwrap_or(PER_LAY_LENGTH));
     // straight strands have one turn, however long they are
-    let turns = (high - low) / ply.lay_length();
-    let elements = libm::ceil((if turns > 0.0 { turns } else { 1.0 }) * per - 1e-9).max(1.0);
-    if elements * assembly.wires.len() as f64 > MOST_NODES {
+    let turns = Some((high - low) / ply.lay_length()).filter(|turns| *turns > 0.0).unwrap_or(1.0);
+    // of layers each wire has its own, and no fewer than the outermost
+    let most = assembly.wires.iter().map(|wire| {
+        let [start, end] = wire.tube.parameters();
+        let own = (end - start) * wire.tube.course().turning() / core::f64::consts::TAU;
+        if ply.layers.is_empty() { turns } else { turns.max(own) }
+    });
+    let counts: Vec<f64> = most.map(|turns| libm::ceil(turns * per - 1e-9).max(1.0)).collect();
+    if counts.iter().sum::<f64>() > MOST_NODES {
         let message = format!("more than {MOST_NODES} nodes would be needed: give a shorter length, or fewer elements");
         return Err(flag("elements-per-pitch", ErrorKind::Domain, message));
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held below twenty million")]
-    let elements = elements as u32;
     let mut count = 0;
     Ok(assembly
         .wires
         .iter()
-        .map(|wire| {
+        .zip(counts)
+        .map(|(wire, elements)| {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held below twenty million")]
+            let elements = elements as u32;
             let [start, end] = wire.tube.parameters();
             let at = |k: u32| start + (end - start) * f64::from(k) / f64::from(elements);
             let places = (0..=elements).map(|k| wire.tube.course().place(at(k)));
@@ -76,8 +83,22 @@ pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Ve
                 radius: wire.tube.radius(),
                 points: places.clone().map(|place| place.position).collect(),
                 tangents: places.map(|place| place.tangent).collect(),
-                arclengths: (0..=elements).map(at).collect(),
+                arclengths: arclengths(wire.tube.course(), (0..=elements).map(at)),
             }
         })
         .collect())
+}
+
+/// Arclengths of a course at parameters, counted from t = 0 of a helix, and from the first of them of a helix about a helix.
+pub(super) fn arclengths(course: &Course, parameters: impl Iterator<Item = f64>) -> Vec<f64> {
+    if course.is_uniform() {
+        return parameters.collect();
+    }
+    let mut last: Option<(f64, f64)> = None;
+    let next = parameters.map(|t| {
+        let s = last.map_or(0.0, |(before, s)| s + course.length(before, t));
+        last = Some((t, s));
+        s
+    });
+    next.collect()
 }

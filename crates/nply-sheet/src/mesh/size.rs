@@ -31,6 +31,11 @@ impl FileUnit {
     pub fn of(ply: &Subject, asked: Option<&str>, own: Option<&str>) -> Result<Self, SpecError> {
         let Some(radius) = ply.strand_radius else {
             return match asked {
+                None if !ply.layers.is_empty() => Ok(Self { name: "units".to_owned(), per_radius: ply.bare_radius }),
+                Some(unit) if unit != "r" && !ply.layers.is_empty() => {
+                    let message = "the strand is described without units: its lengths are in the one it was written in";
+                    Err(flag("unit", ErrorKind::Missing, message))
+                }
                 None | Some("r") => Ok(Self { name: "r".to_owned(), per_radius: 1.0 }),
                 Some(_) => {
                     let message = "the strand has no size to be given in a unit: give --radius or --diameter";
@@ -88,6 +93,24 @@ pub(super) fn length(name: &str, text: &str, radius: Option<f64>, relative: bool
             crate::quoted(text),
             unit.dimension()
         )),
+    }
+}
+
+/// A length that a flag says of a ply or a layered strand, in units of r.
+///
+/// # Errors
+/// [`SpecError`] for what is no length.
+pub(super) fn length_of(name: &str, text: &str, ply: &Subject) -> Result<f64, SpecError> {
+    if ply.layers.is_empty() || ply.strand_radius.is_some() {
+        return length(name, text, ply.strand_radius, false);
+    }
+    // bare lengths are in the unit of the description, and others cannot be told in it
+    match Quantity::parse(text) {
+        Ok(Quantity::Measured { unit, .. }) if unit.dimension() == Dimension::LENGTH => {
+            let message = "it has a unit, but the strand is described without units: give a bare number";
+            Err(flag(name, ErrorKind::WrongUnit, message))
+        }
+        _ => Ok(length(name, text, None, false)? / ply.bare_radius),
     }
 }
 

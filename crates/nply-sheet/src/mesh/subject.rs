@@ -36,6 +36,26 @@ pub struct Subject {
     pub scale: Option<Scale>,
     /// The units the input was written in.
     pub units: PreferredUnits,
+    /// The layers of a layered strand, from the inside; none of a ply.
+    pub layers: Vec<LayerLine>,
+    /// Where no units are known, how much r is in the input's bare unit of length: 1 of a ply, whose lengths are bare in strand radii.
+    pub bare_radius: f64,
+}
+
+/// What a layer of a layered strand is, in a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LayerLine {
+    /// How many wires, or strands.
+    pub rods: u32,
+    /// Whether they are strands.
+    pub strands: bool,
+    /// Which way it winds.
+    pub handedness: Handedness,
+    /// Their lay angle, as they lie.
+    pub angle: HelicalAngle,
+    /// The gap between neighbours, in units of r: 0 where they touch.
+    pub gap: f64,
 }
 
 impl Subject {
@@ -101,6 +121,8 @@ impl Subject {
                 strand_radius: shape.strand_radius,
                 scale: None,
                 units: shape.units.clone(),
+                layers: Vec::new(),
+                bare_radius: 1.0,
             })
         };
         match shape.lay {
@@ -160,6 +182,8 @@ impl Subject {
             strand_radius: case.strand_radius,
             scale: case.scale,
             units: case.units.clone(),
+            layers: Vec::new(),
+            bare_radius: 1.0,
         }
     }
 
@@ -186,6 +210,8 @@ impl Subject {
             strand_radius: case.strand_radius,
             scale: case.scale,
             units: case.units.clone(),
+            layers: Vec::new(),
+            bare_radius: 1.0,
         }
     }
 

@@ -10,7 +10,27 @@ fn headline(ply: &Subject) -> String {
     let hand = if ply.handedness.sign() > 0.0 { "right-handed (Z)" } else { "left-handed (S)" };
     let state = ply.state.map_or_else(String::new, |(number, count)| format!(", state {number} of {count}"));
     let title: String = ply.title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if !ply.layers.is_empty() {
+        return format!("{title}: layers as they lie, from the inside");
+    }
     format!("{title}{state}: {hand}, helical angle {}°", six_digits(ply.angle.degrees()))
+}
+
+/// What is said of how near surfaces are: of a ply one row, of layers one for each.
+fn nearness(ply: &Subject, unit: &FileUnit) -> Vec<(String, String)> {
+    let length = |value: f64| format!("{} {}", six_digits(value * unit.per_radius), unit_name(unit));
+    if ply.layers.is_empty() {
+        let label = "least distance of strands' centrelines".to_owned();
+        return vec![(label, length(2.0 + ply.neighbour_gap()))];
+    }
+    let row = |(at, layer): (usize, &super::LayerLine)| {
+        let hand = if layer.handedness.sign() > 0.0 { "Z" } else { "S" };
+        let rods = if layer.strands { "strands" } else { "wires" };
+        let label = format!("layer {}: {} {rods}, {hand}, {}°", at + 1, layer.rods, six_digits(layer.angle.degrees()));
+        let gap = if layer.gap.abs() < 1e-9 { "they touch".to_owned() } else { format!("gap {}", length(layer.gap)) };
+        (label, gap)
+    };
+    ply.layers.iter().enumerate().map(row).collect()
 }
 
 fn unit_name(unit: &FileUnit) -> &str {
@@ -39,10 +59,9 @@ pub fn surface_summary(ply: &Subject, surface: &Surface<'_>, unit: &FileUnit) ->
         ),
         ("triangles lie inside the tubes by up to", length(-inside)),
         ("and outside by up to", length(outside)),
-        ("least distance of strands' centrelines", length(2.0 + ply.neighbour_gap())),
-        ("coordinates in", u.to_owned()),
     ];
-    for (label, value) in rows {
+    let rows = rows.into_iter().map(|(label, value)| (label.to_owned(), value));
+    for (label, value) in rows.chain(nearness(ply, unit)).chain([("coordinates in".to_owned(), u.to_owned())]) {
         let _ = writeln!(out, "  {label:44}{value}");
     }
     out
@@ -57,14 +76,13 @@ pub fn chain_summary(ply: &Subject, chains: &[Chain], unit: &FileUnit) -> String
     let rows = [
         ("wires", chains.len().to_string()),
         ("nodes, elements", format!("{nodes}, {}", nodes - chains.len())),
-        ("strand radius", format!("{} {u}", six_digits(unit.per_radius))),
         (
-            "least distance of strands' centrelines",
-            format!("{} {u}", six_digits((2.0 + ply.neighbour_gap()) * unit.per_radius)),
+            if ply.layers.is_empty() { "strand radius" } else { "radius of the outermost wires" },
+            format!("{} {u}", six_digits(unit.per_radius)),
         ),
-        ("coordinates in", u.to_owned()),
     ];
-    for (label, value) in rows {
+    let rows = rows.into_iter().map(|(label, value)| (label.to_owned(), value));
+    for (label, value) in rows.chain(nearness(ply, unit)).chain([("coordinates in".to_owned(), u.to_owned())]) {
         let _ = writeln!(out, "  {label:44}{value}");
     }
     out

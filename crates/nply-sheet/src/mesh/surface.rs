@@ -106,23 +106,27 @@ impl<'a> Surface<'a> {
             flag(name, ErrorKind::Domain, error.to_string())
         };
         let mut parts = Vec::new();
-        let (mut known, mut triangles): (Option<(&Wire, Facets)>, u64) = (None, 0);
+        // what is not alike all along is measured at some places only
+        const SPARE: f64 = 0.98;
+        let (mut known, mut triangles): (Vec<(&Wire, Facets)>, u64) = (Vec::new(), 0);
         for wire in &assembly.wires {
-            // strands that differ in their azimuth alone are cut alike
-            let alike = known.filter(|(other, _)| {
+            // wires that differ in where they stand alone are cut alike
+            let alike = known.iter().find(|(other, _)| {
                 let [a, b] = [wire, *other].map(|wire| (wire.tube.radius(), wire.tube.twist(), wire.tube.course()));
                 a.0.to_bits() == b.0.to_bits()
                     && a.1.to_bits() == b.1.to_bits()
-                    && a.2.is_uniform()
-                    && a.2.outermost().to_bits() == b.2.outermost().to_bits()
-                    && a.2.rise().to_bits() == b.2.rise().to_bits()
+                    && a.2.is_like(b.2)
                     && wire.stripes == other.stripes
             });
             let facets = match alike {
-                Some((_, facets)) => facets,
-                None => facets(wire, ply, &fineness, error.min(wire.tube.radius())).map_err(refused)?,
+                Some((_, facets)) => *facets,
+                None => {
+                    let error = if wire.tube.course().is_uniform() { error } else { SPARE * error };
+                    let facets = facets(wire, ply, &fineness, error.min(wire.tube.radius())).map_err(refused)?;
+                    known.push((wire, facets));
+                    facets
+                }
             };
-            known = Some((wire, facets));
             triangles += 2 * u64::from(facets.around) * (u64::from(facets.along) + 1);
             if triangles > MOST_TRIANGLES {
                 let message = format!(

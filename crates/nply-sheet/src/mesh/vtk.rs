@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use base64::Engine as _;
 
-use super::{Chain, FileUnit, Surface, field, said, single};
+use super::{Chain, FileUnit, Surface, chain, field, said, single};
 
 /// Numbers of a field: one or three to a point or cell.
 struct Field {
@@ -56,7 +56,8 @@ impl Grid {
             points.extend(part.mesh.positions.iter().map(|point| unit.point(*point)));
             normals.values.extend(part.mesh.normals.iter().flatten());
             let per_t = unit.per_radius;
-            arclength.values.extend(part.mesh.parameters.iter().map(|[t, _]| t * per_t));
+            let arclengths = chain::arclengths(part.wire.tube.course(), part.mesh.parameters.iter().map(|[t, _]| *t));
+            arclength.values.extend(arclengths.into_iter().map(|s| s * per_t));
             alpha.values.extend(part.mesh.parameters.iter().map(|[t, b]| part.wire.tube.section_angle(*t, *b)));
             mu.values.extend(part.mesh.parameters.iter().map(|[_, b]| *b));
             triangles.extend(part.mesh.triangles.iter().map(|t| t.map(|i| first + i)));

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use nply::geometry::{Course, Tube, Vector};
 
+use super::coil::Coil;
 use crate::mesh::{Assembly, Wire};
 
 /// Like strands, evenly round the axis: the one next to a point is told by its azimuth, and only that one is measured.
@@ -34,6 +35,7 @@ pub(super) struct Spot {
 pub(super) struct Body<'a> {
     pub(super) wires: &'a [Wire],
     rings: Vec<Ring>,
+    coils: Vec<Coil>,
     low: f64,
     high: f64,
     pub(super) reach: f64,
@@ -55,7 +57,11 @@ impl Ray {
 impl<'a> Body<'a> {
     pub(super) fn of(assembly: &'a Assembly) -> Self {
         let mut rings: Vec<Ring> = Vec::new();
+        let mut coils: Vec<Coil> = Vec::new();
         for (number, wire) in assembly.wires.iter().enumerate() {
+            if Coil::gather(&mut coils, number, &wire.tube) {
+                continue;
+            }
             let turn =
                 rings.iter().enumerate().find_map(|(ring, known)| Some((ring, turned(&known.first, &wire.tube)?)));
             if let Some((ring, (sin, cos))) = turn {
@@ -67,25 +73,45 @@ impl<'a> Body<'a> {
         }
         let rings = rings.into_iter().flat_map(even).collect();
         let [low, high] = assembly.heights();
-        Self { wires: &assembly.wires, rings, low, high, reach: assembly.reach() }
+        Self { wires: &assembly.wires, rings, coils, low, high, reach: assembly.reach() }
     }
 
     pub(super) const fn heights(&self) -> [f64; 2] {
         [self.low, self.high]
     }
 
-    /// How far a point is from the wires' surfaces, as if they had no ends; negative inside.
+    /// How far a point is from the wires' surfaces, as if they had no ends, or from tubes that enclose strands, where these are far off;
+    /// negative inside.
     fn outside_by(&self, point: Vector) -> f64 {
+        const FAR: f64 = 2.0;
         let off_axis = libm::hypot(point[0], point[1]);
         let mut least = f64::INFINITY;
         for ring in &self.rings {
             // no nearer than the cylinder its centrelines lie on
             let bound = (off_axis - ring.first.course().outermost()).abs() - ring.first.radius();
-            if bound < least || !ring.first.course().is_uniform() {
+            if bound < least {
                 least = least.min(ring.first.distance(ring.unturned(point).0));
             }
         }
+        for (bound, level, coil) in self.coils_by_bound(point) {
+            if bound >= least {
+                break;
+            }
+            let off = if bound > FAR { None } else { coil.nearest(point, level) };
+            least = least.min(off.map_or(bound, |foot| foot.distance - coil.radius()));
+        }
         least
+    }
+
+    /// The strands, the nearest first: how near their wires can be, and where the point stands beside them.
+    fn coils_by_bound(&self, point: Vector) -> Vec<(f64, f64, &Coil)> {
+        let bound = |coil| {
+            let (bound, level) = Coil::bound(coil, point);
+            (bound, level, coil)
+        };
+        let mut coils: Vec<(f64, f64, &Coil)> = self.coils.iter().map(bound).collect();
+        coils.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        coils
     }
 
     /// How far a point is from the body, ends included; 0 or less inside. Beyond an end it is near enough for shadows.
@@ -171,6 +197,21 @@ impl<'a> Body<'a> {
             let normal = [cos * out[0] - sin * out[1], sin * out[0] + cos * out[1], out[2]];
             let mu = alpha + ring.first.twist() * t;
             best = Some((off, Spot { wire: ring.wires[place], normal, mu, on_end: false }));
+        }
+        for (bound, level, coil) in self.coils_by_bound(point) {
+            if best.is_some_and(|(least, _)| least <= bound) {
+                break;
+            }
+            let Some(foot) = coil.nearest(point, level) else { continue };
+            let off = foot.distance - coil.radius();
+            let Some(course) = coil.course(foot.wire).filter(|_| best.is_none_or(|(least, _)| off < least)) else {
+                continue;
+            };
+            let place = course.place(foot.t);
+            let normal: Vector = core::array::from_fn(|i| (point[i] - place.position[i]) / foot.distance.max(1e-12));
+            let dot = |a: Vector| a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2];
+            let mu = libm::atan2(dot(place.inward), dot(place.binormal)) + self.wires[foot.wire].tube.twist() * foot.t;
+            best = Some((off, Spot { wire: foot.wire, normal, mu, on_end: false }));
         }
         best.unwrap_or((f64::INFINITY, Spot { wire: 0, normal: [0.0, 0.0, 1.0], mu: 0.0, on_end: false }))
     }

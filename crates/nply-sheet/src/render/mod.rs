@@ -13,6 +13,7 @@
 //! ```
 
 mod body;
+mod coil;
 mod light;
 mod picture;
 

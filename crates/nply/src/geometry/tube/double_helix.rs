@@ -66,6 +66,12 @@ impl DoubleHelix {
         self.rate
     }
 
+    /// φ₀, rad.
+    #[must_use]
+    pub const fn phase(&self) -> f64 {
+        self.phase
+    }
+
     /// The place at strand arclength S.
     #[must_use]
     pub fn place(&self, s: f64) -> Place {

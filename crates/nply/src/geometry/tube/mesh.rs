@@ -97,10 +97,10 @@ impl Tube {
         let [start, end] = self.parameters();
         // sagittas round the section and along the outermost line
         let round = PI / libm::acos(1.0 - chord_error / self.radius);
-        let reach = self.course.outermost() + self.radius;
-        let step = 2.0 * libm::acos((1.0 - chord_error / reach).max(0.0));
-        let turning = self.course.turning() + if self.twist == 0.0 { 0.0 } else { self.twist.abs() };
-        let (mut around, mut along) = (round.max(6.0), ((end - start) * turning / step).max(1.0));
+        let sagitta = 1.0 - chord_error / self.course.bend_reach(self.radius);
+        let step = 2.0 * libm::acos(sagitta.max(0.0));
+        let steps = (end - start) * (self.course.bend_turning() + self.twist.abs()) / step;
+        let (mut around, mut along) = (round.max(6.0), steps.max(1.0));
         for _ in 0..ROUNDS {
             let facets = Facets { around: whole(around)?, along: whole(along)? };
             let (placing, deviation) = self.placed(facets, Fit::Surface)?;
@@ -216,27 +216,29 @@ impl Tube {
     }
 
     /// How far triangles lie inside and outside, at a lattice of points. Where the course is uniform and untwisted one ring of facets is like
-    /// any other; where it is twisted, rings differ in where their columns stand, and some of them are measured.
+    /// any other, and is measured the more closely; where it is twisted, rings differ in where their columns stand, and some of them are
+    /// measured; else those of one period are, or as many of them as tell.
     fn deviation(&self, facets: Facets, placing: Placing) -> Result<[f64; 2], DomainError> {
         const TWISTED: u32 = 12;
-        let all = facets.along;
-        let (rings, order) = match (self.course.is_uniform(), self.twist == 0.0) {
-            (true, true) => (1, 6),
-            (true, false) => (all.min(TWISTED), 6),
-            (false, _) => (all, 4),
+        const TELLING: u32 = 24;
+        let [start, end] = self.parameters();
+        let period = self.course.period() * f64::from(facets.along) / (end - start);
+        let (rings, most, order) = match (self.course.is_uniform(), self.twist == 0.0) {
+            (true, true) => (1, 1, 6),
+            (true, false) => (facets.along, TWISTED, 6),
+            (false, _) => (least(period, facets.along), TELLING, 4),
         };
         let mut off = [0.0_f64.min(placing.share - 1.0), 0.0_f64.max(placing.share - 1.0)].map(|off| off * self.radius);
-        for k in 0..rings {
-            let i = if rings == all { k } else { k * (all / rings) };
-            let below = self.ring(facets, i, placing.share)?;
-            let above = self.ring(facets, i + 1, placing.share)?;
+        for i in (0..rings).step_by(rings.div_ceil(most) as usize) {
+            let [below, above] = [self.ring(facets, i, placing.share)?, self.ring(facets, i + 1, placing.share)?];
             for j in 0..below.len() {
                 let k = (j + 1) % below.len();
                 for corners in halves([below[j], above[j], above[k], below[k]], placing.flipped) {
                     let [a, b, c] = corners.map(|corner| corner.position);
+                    let [at_a, at_b, at_c] = corners.map(|corner| corner.t);
                     for [u, v, w] in lattice(order) {
                         let point = core::array::from_fn(|i| u * a[i] + v * b[i] + w * c[i]);
-                        let distance = self.course.distance_near(point, corners[0].t) - self.radius;
+                        let distance = self.distance_from(point, u * at_a + v * at_b + w * at_c);
                         off = [off[0].min(distance), off[1].max(distance)];
                     }
                 }
@@ -422,6 +424,13 @@ fn too_many(corners: f64) -> DomainError {
     let allowed =
         "at least 3 round and 1 along, with at most 134217728 corners: allow a greater chord error or a shorter ply";
     DomainError { quantity: "facets", value: corners, allowed }
+}
+
+/// A number of rings, at least 1 and at most as many as there are.
+fn least(rings: f64, most: u32) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+    let rings = libm::ceil(rings).clamp(1.0, f64::from(most)) as u32;
+    rings
 }
 
 fn whole(count: f64) -> Result<u32, DomainError> {

@@ -41,6 +41,8 @@ pub struct Tube {
     radius: f64,
     from: f64,
     to: f64,
+    /// t at the ends
+    parameters: [f64; 2],
     twist: f64,
     ends: Ends,
 }
@@ -55,7 +57,9 @@ impl Tube {
         let positive = |value: f64| value > 0.0 && value < f64::INFINITY;
         DomainError::check(positive(radius), "tube_radius", radius, "greater than 0 and finite")?;
         DomainError::check(positive(to - from), "ply_length", to - from, "greater than 0 and finite")?;
-        Ok(Self { course: course.into(), radius, from, to, twist: 0.0, ends: Ends::Flush })
+        let course = course.into();
+        let parameters = [from, to].map(|height| course.at_height(height));
+        Ok(Self { course, radius, from, to, parameters, twist: 0.0, ends: Ends::Flush })
     }
 
     /// The same with material lines that turn by `twist` rad per t against the frame, right-handed positive. For a strand of a ply this
@@ -106,34 +110,19 @@ impl Tube {
 
     /// The parameters t of its centreline's ends.
     #[must_use]
-    pub fn parameters(&self) -> [f64; 2] {
-        [self.from / self.course.rise(), self.to / self.course.rise()]
+    pub const fn parameters(&self) -> [f64; 2] {
+        self.parameters
     }
 
     /// The length of its centreline, in units of r: (to − from)/cos θ for a helix.
     #[must_use]
     pub fn length(&self) -> f64 {
-        const NODE: f64 = 0.774_596_669_241_483_4; // √(3/5)
-        let [start, end] = self.parameters();
-        if self.course.is_uniform() {
-            return end - start;
-        }
-        // Gauss's rule of three points on steps that turn by a quarter of a radian at most
-        let steps = 1.0 + libm::ceil(4.0 * (end - start) * self.course.turning());
-        let h = (end - start) / steps;
-        let speed = |t: f64| self.course.place(t).speed;
-        let mut sum = 0.0;
-        let mut step = 0.5;
-        while step < steps {
-            let (middle, off) = (start + step * h, 0.5 * NODE * h);
-            sum += (5.0 * (speed(middle - off) + speed(middle + off)) + 8.0 * speed(middle)) / 18.0;
-            step += 1.0;
-        }
-        sum * h
+        let [start, end] = self.parameters;
+        self.course.length(start, end)
     }
 
     /// πr² times its length: its volume, exactly, with square ends; and with flush ends about a helix, of which like planes cut off what
-    /// they leave over.
+    /// they leave over, and very nearly about a helix about a helix.
     #[must_use]
     pub fn volume(&self) -> f64 {
         core::f64::consts::PI * self.radius * self.radius * self.length()
@@ -165,6 +154,11 @@ impl Tube {
     #[must_use]
     pub fn section_angle(&self, t: f64, mu: f64) -> f64 {
         mu - self.twist * t
+    }
+
+    /// As [`distance`](Self::distance), of a point close to the place at t.
+    pub(super) fn distance_from(&self, point: Vector, t: f64) -> f64 {
+        self.course.nearest_from(point, t).1 - self.radius
     }
 
     /// How far a point lies outside the tube's surface, endless tube; negative inside. In units of r.
