@@ -424,7 +424,7 @@ fn a_pipe_gets_the_bytes() {
 #[test]
 fn a_rope_is_written_wire_by_wire() {
     let rope = "examples/rope-6x7.toml";
-    let (bytes, said) = written("rope.obj", &[rope, "--length", "20 mm", "--chord-error", "0.1", "--unit", "mm"]);
+    let (bytes, said) = written("rope.obj", &[rope, "--length", "20 mm", "--chord-error", "0.02", "--unit", "mm"]);
     let (soup, models) = obj(&bytes);
     let names: Vec<&str> = models.iter().map(|model| model.name.as_str()).collect();
     assert!(names.len() == 43 && names[0] == "layer1-strand1-wire1" && names[42] == "core", "{names:?}");
