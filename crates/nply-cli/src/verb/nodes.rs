@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply_sheet::mesh::{FileUnit, LineFormat, StartGeometry, StartWanted};
-use nply_sheet::{ErrorKind, Key, SpecError, Table};
+use nply_sheet::{Key, SpecError, Table};
 
 use super::Verb;
 use super::mesh::{deliver, format, text};
@@ -78,13 +78,10 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let Input { spec, text } = input::read_described(arguments)?;
     let spec = match spec {
         Described::Ply(spec) => spec,
-        Described::Layered(_) => {
-            let message = "the file describes a layered strand, and clear elements are found for plies of one layer: `nply mesh FILE \
+        Described::Layered(strand) => {
+            let message = "this describes a layered strand, and clear elements are found for plies of one layer: `nply mesh FILE \
                            --centrelines` writes the nodes of all its wires, and `nply clearance` says how near their elements come";
-            return Err(Failure::Refused(
-                SpecError::new(ErrorKind::Contradiction, nply_sheet::Place::Flag("FILE".to_owned()), message),
-                text,
-            ));
+            return Err(Failure::Refused(strand.not_taken(message), text));
         }
     };
     let input = Input { spec, text };

@@ -301,6 +301,13 @@ impl ConstructionSpec {
         SpecError::new(ErrorKind::Missing, place, message).of_key(name)
     }
 
+    /// That a command has no use for a layered strand, said at the head of its description.
+    #[must_use]
+    pub fn not_taken(&self, message: &str) -> SpecError {
+        let place = self.start.clone().unwrap_or_else(|| Place::Flag("strands".to_owned()));
+        SpecError::new(ErrorKind::Contradiction, place, message)
+    }
+
     /// See [`Construction::locate`](super::Construction::locate).
     pub(super) fn locate(&self, layer: usize, error: &DomainError) -> SpecError {
         let DomainError { quantity, value, allowed } = *error;
