@@ -15,3 +15,4 @@ pub(crate) mod quadratic;
 pub(crate) mod root;
 pub(crate) mod septic;
 pub(crate) mod series;
+pub(crate) mod wide;
