@@ -224,7 +224,7 @@ fn sift<'a, W: Wide>(
         let sign = handedness.sign();
         let signed = [1.0, love, sign * held, force, sign * moment];
         let place = (row, handedness, candidate % PANELS);
-        sums.isolate(candidate, &mut |bracket| found(Sought::new(w, place, bracket, signed, (chart, panels))))?;
+        sums.isolate(candidate, &mut |bracket| found(Sought::new(place, bracket, signed, (chart, panels))))?;
     }
     Ok(())
 }

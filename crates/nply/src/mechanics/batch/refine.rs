@@ -33,7 +33,7 @@ pub(super) struct Sought<'a> {
     bracket: Bracket,
     weights: [f64; TERMS],
     chart: &'a Chart,
-    powers: Powers,
+    panels: &'a Panels,
 }
 
 /// One root that is found: the helical and the pitch angle.
@@ -57,14 +57,18 @@ fn sum<W: Wide>(w: W, terms: &[Coefficients; TERMS], weights: &[f64; TERMS]) -> 
 impl<'a> Sought<'a> {
     /// `weights` carry the hand's sign.
     #[inline(always)]
-    pub(super) fn new<W: Wide>(
-        w: W,
+    pub(super) fn new(
         (row, handedness, panel): (usize, Handedness, usize),
         bracket: Bracket,
         weights: [f64; TERMS],
-        (chart, panels): (&'a Chart, &Panels),
+        (chart, panels): (&'a Chart, &'a Panels),
     ) -> Self {
-        Self { row, handedness, panel, bracket, weights, chart, powers: sum(w, &panels.powers[panel], &weights) }
+        Self { row, handedness, panel, bracket, weights, chart, panels }
+    }
+
+    #[inline(always)]
+    fn powers<W: Wide>(&self, w: W) -> Powers {
+        sum(w, &self.panels.powers[self.panel], &self.weights)
     }
 }
 
@@ -112,7 +116,7 @@ fn columns<W: Wide>(w: W, powers: [&Powers; LANES]) -> [W::V; ORDER] {
 #[inline(always)]
 pub(super) fn refine<W: Wide>(w: W, four: [&Sought<'_>; LANES]) -> [Result<Angles, Doubt>; LANES] {
     let [a, b, c, d] = four;
-    let on_panel = columns(w, [&a.powers, &b.powers, &c.powers, &d.powers]);
+    let on_panel = columns(w, [&a.powers(w), &b.powers(w), &c.powers(w), &d.powers(w)]);
     let mut u = w.load(&[a.bracket.guess, b.bracket.guess, c.bracket.guess, d.bracket.guess]);
     let mut coarse = step(w, &on_panel, u);
     for _ in 1..COARSE {
