@@ -14,13 +14,13 @@ use std::sync::Arc;
 
 pub(in crate::mechanics) use panels::Both;
 use panels::PANELS;
-use refine::{Angles, Sought, refine};
-use sift::{Doubt, Sums};
+use refine::{Angles, Sought, TOGETHER, refine};
+use sift::{Doubt, Sums, isolate};
 pub use states::States;
 
 use super::row::Chart;
 use super::{Balance, Load, Ply, Twist};
-use crate::numerics::wide::{Job, LANES, Wide, dispatch};
+use crate::numerics::wide::{Job, Wide, dispatch};
 use crate::{DomainError, Handedness};
 
 /// Arrays of plies and their data, row by row, all of one length.
@@ -153,11 +153,8 @@ impl Job for Batch<'_> {
                     sought.truncate(before);
                 }
             }
-            for four in sought.chunks(LANES) {
-                let last = &four[four.len() - 1];
-                let lane = |l: usize| four.get(l).unwrap_or(last);
-                let angles = refine(w, [lane(0), lane(1), lane(2), lane(3)]);
-                for (sought, angles) in four.iter().zip(angles) {
+            for together in sought.chunks(TOGETHER) {
+                for (sought, angles) in together.iter().zip(refine(w, together)) {
                     match angles {
                         Ok(angles) => found.push(Found { row: sought.row, handedness: sought.handedness, angles }),
                         Err(Doubt) => doubts[sought.row - first] = true,
@@ -224,7 +221,12 @@ fn sift<'a, W: Wide>(
         let sign = handedness.sign();
         let signed = [1.0, love, sign * held, force, sign * moment];
         let place = (row, handedness, candidate % PANELS);
-        sums.isolate(candidate, &mut |bracket| found(Sought::new(place, bracket, signed, (chart, panels))))?;
+        match sums.single(w, candidate) {
+            Ok(bracket) => found(Sought::new(place, bracket, signed, (chart, panels))),
+            Err((b, tolerance)) => {
+                isolate(&b, tolerance, &mut |bracket| found(Sought::new(place, bracket, signed, (chart, panels))))?;
+            }
+        }
     }
     Ok(())
 }

@@ -1,7 +1,8 @@
-//! Roots that stand alone, brought to their last digits four at a time.
+//! Roots that stand alone, brought to their last digits eight at a time: one step has to wait for the other, so that two
+//! registers take turns.
 //!
-//! Three of Halley's steps on a panel's polynomial lead into one of the short cells of a row's chart, on which the balance is a
-//! polynomial to within rounding; two more end there.
+//! One or two of Halley's steps on a panel's polynomial lead into one of the short cells of a row's chart, on which the balance is
+//! a polynomial to within rounding; as a rule one more ends there.
 
 use super::panels::{Panels, place};
 use super::sift::{Bracket, Doubt};
@@ -10,11 +11,14 @@ use crate::mechanics::row::{Chart, TERMS};
 use crate::numerics::septic::{Coefficients, ORDER};
 use crate::numerics::wide::{Four, LANES, Wide};
 
-/// Steps on a panel, and in a cell.
-const COARSE: usize = 3;
-const FINE: usize = 2;
-/// What the last step on a panel, and what a further one in a cell would move at the most, in u.
-const NEAR: f64 = 1e-4;
+/// Roots that are refined together.
+pub(super) const TOGETHER: usize = REGISTERS * LANES;
+const REGISTERS: usize = 2;
+
+/// Steps on a panel or in a cell, after which a root that still moves is in doubt.
+const MOST_STEPS: usize = 5;
+/// What the next step on a panel, and in a cell, would move at the most, in u.
+const NEAR: f64 = 1e-6;
 const SETTLED: f64 = 2e-14;
 /// A root whose slope is not that far above what the polynomial leaves out might be several.
 const STEEP: f64 = 1e4;
@@ -72,31 +76,57 @@ impl<'a> Sought<'a> {
     }
 }
 
-/// Four of Halley's steps, one for each lane.
-struct Step<V> {
-    u: V,
-    /// what the next would move at the most
-    next: V,
-    slope: V,
+/// A number for each of the roots in a register.
+type Rows<V> = [V; REGISTERS];
+
+/// Roots on their way.
+struct Way<V> {
+    u: Rows<V>,
+    /// what the next step would move at the most
+    next: Rows<V>,
+    slope: Rows<V>,
+}
+
+/// Halley's steps for all roots, until the next would move none of them by more than `enough`.
+#[inline(always)]
+fn walk<W: Wide>(w: W, c: &[[W::V; ORDER]; REGISTERS], start: &[Four; REGISTERS], enough: f64) -> Way<W::V> {
+    let zero = w.splat(0.0);
+    let mut way = Way { u: [w.load(&start[0]), w.load(&start[1])], next: [zero; REGISTERS], slope: [zero; REGISTERS] };
+    for _ in 0..MOST_STEPS {
+        step(w, c, &mut way);
+        let open = w.max(way.next[0], way.next[1]);
+        if w.bits(w.at_least(w.splat(enough), open)) == 0b1111 {
+            break;
+        }
+    }
+    way
 }
 
 #[inline(always)]
-fn step<W: Wide>(w: W, c: &[W::V; ORDER], u: W::V) -> Step<W::V> {
-    let mut f = w.mul_add(c[7], u, c[6]);
-    let mut slope = c[7];
-    let mut bend = w.splat(0.0);
+fn step<W: Wide>(w: W, c: &[[W::V; ORDER]; REGISTERS], way: &mut Way<W::V>) {
+    let zero = w.splat(0.0);
+    let u = way.u;
+    let mut f = [w.mul_add(c[0][7], u[0], c[0][6]), w.mul_add(c[1][7], u[1], c[1][6])];
+    let mut slope = [c[0][7], c[1][7]];
+    let mut bend = [zero; REGISTERS];
     for i in (0..6).rev() {
-        bend = w.mul_add(bend, u, slope);
-        slope = w.mul_add(slope, u, f);
-        f = w.mul_add(f, u, c[i]);
+        for r in 0..REGISTERS {
+            bend[r] = w.mul_add(bend[r], u[r], slope[r]);
+            slope[r] = w.mul_add(slope[r], u[r], f[r]);
+            f[r] = w.mul_add(f[r], u[r], c[r][i]);
+        }
     }
-    let minus = w.sub(w.splat(0.0), f);
-    let curved = w.mul(minus, bend);
-    let inverse = w.div(w.splat(1.0), w.mul_add(slope, slope, curved));
-    let move_by = w.mul(w.mul(minus, slope), inverse);
-    let size = size(w, move_by);
-    let share = w.add(size, self::size(w, w.mul(curved, inverse)));
-    Step { u: w.add(u, move_by), next: w.mul(size, w.mul(share, share)), slope }
+    for r in 0..REGISTERS {
+        let minus = w.sub(zero, f[r]);
+        let curved = w.mul(minus, bend[r]);
+        let inverse = w.div(w.splat(1.0), w.mul_add(slope[r], slope[r], curved));
+        let by = w.mul(w.mul(minus, slope[r]), inverse);
+        let share = w.add(size(w, by), size(w, w.mul(curved, inverse)));
+        way.u[r] = w.add(u[r], by);
+        // no number: the second is taken, which is none either
+        way.next[r] = w.mul(size(w, by), w.mul(share, share));
+        way.slope[r] = slope[r];
+    }
 }
 
 #[inline(always)]
@@ -105,51 +135,52 @@ fn size<W: Wide>(w: W, a: W::V) -> W::V {
 }
 
 #[inline(always)]
-fn columns<W: Wide>(w: W, powers: [&Powers; LANES]) -> [W::V; ORDER] {
-    let [p, q, r, s] = powers;
+fn columns<W: Wide>(w: W, powers: &[Powers]) -> [W::V; ORDER] {
+    let [p, q, r, s] = [&powers[0], &powers[1], &powers[2], &powers[3]];
     let [a, b, c, d] = w.transpose([w.load(&p[0]), w.load(&q[0]), w.load(&r[0]), w.load(&s[0])]);
     let [e, f, g, h] = w.transpose([w.load(&p[1]), w.load(&q[1]), w.load(&r[1]), w.load(&s[1])]);
     [a, b, c, d, e, f, g, h]
 }
 
-/// Refines four roots.
+/// Refines up to eight roots, at least one.
 #[inline(always)]
-pub(super) fn refine<W: Wide>(w: W, four: [&Sought<'_>; LANES]) -> [Result<Angles, Doubt>; LANES] {
-    let [a, b, c, d] = four;
-    let on_panel = columns(w, [&a.powers(w), &b.powers(w), &c.powers(w), &d.powers(w)]);
-    let mut u = w.load(&[a.bracket.guess, b.bracket.guess, c.bracket.guess, d.bracket.guess]);
-    let mut coarse = step(w, &on_panel, u);
-    for _ in 1..COARSE {
-        u = coarse.u;
-        coarse = step(w, &on_panel, u);
+pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<Angles, Doubt>; TOGETHER] {
+    let mut powers = [[[0.0; LANES]; ORDER / LANES]; TOGETHER];
+    let mut start = [[0.0; LANES]; REGISTERS];
+    let count = sought.len().min(TOGETHER);
+    for l in 0..TOGETHER {
+        // the last stands in for those that are missing
+        let here = &sought[l.min(count - 1)];
+        powers[l] = here.powers(w);
+        start.as_flattened_mut()[l] = here.bracket.guess;
     }
-    let (at, next, slope) = (w.store(coarse.u), w.store(coarse.next), w.store(size(w, coarse.slope)));
+    let coarse = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], &start, NEAR);
+    let at = [w.store(coarse.u[0]), w.store(coarse.u[1])];
+    let next = [w.store(coarse.next[0]), w.store(coarse.next[1])];
+    let slope = [w.store(size(w, coarse.slope[0])), w.store(size(w, coarse.slope[1]))];
 
-    let zero = [[0.0; LANES]; ORDER / LANES];
-    let (mut powers, mut start, mut cells, mut sure) =
-        ([zero; LANES], [0.0; LANES], [&a.chart.cells[0]; LANES], [false; LANES]);
-    for l in 0..LANES {
-        let Sought { panel, bracket, chart, .. } = four[l];
+    let mut cells = [&sought[0].chart.cells[0]; TOGETHER];
+    let mut sure = [false; TOGETHER];
+    for l in 0..TOGETHER {
+        let Sought { panel, bracket, chart, weights, .. } = &sought[l.min(count - 1)];
+        let (at, next, slope) = (at.as_flattened()[l], next.as_flattened()[l], slope.as_flattened()[l]);
         let (middle, half) = place(*panel);
-        let inside = at[l] >= bracket.ends[0] && at[l] <= bracket.ends[1];
-        let t = middle + half * if inside { at[l] } else { 0.0 };
+        let inside = (at >= bracket.ends[0]) & (at <= bracket.ends[1]);
+        let t = middle + half * if inside { at } else { 0.0 };
         let cell = chart.cell(*panel >= LANES, t);
-        sure[l] = inside && next[l] <= NEAR && slope[l] > STEEP * bracket.tolerance && !cell.edge;
-        powers[l] = sum(w, &cell.powers, &four[l].weights);
-        start[l] = (t - cell.middle) / cell.half;
+        sure[l] = inside & (next <= NEAR) & (slope > STEEP * bracket.tolerance) & !cell.edge;
+        powers[l] = sum(w, &cell.powers, weights);
+        start.as_flattened_mut()[l] = (t - cell.middle) * cell.per_half;
         cells[l] = cell;
     }
-    let in_cell = columns(w, [&powers[0], &powers[1], &powers[2], &powers[3]]);
-    let mut fine = step(w, &in_cell, w.load(&start));
-    for _ in 1..FINE {
-        u = fine.u;
-        fine = step(w, &in_cell, u);
-    }
-    let (at, next) = (w.store(fine.u), w.store(fine.next));
-    let mut found = [Err(Doubt); LANES];
-    for l in 0..LANES {
-        if sure[l] && next[l] <= SETTLED && at[l].abs() <= BEYOND {
-            let (helical, pitch) = cells[l].angles(at[l]);
+    let fine = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], &start, SETTLED);
+    let at = [w.store(fine.u[0]), w.store(fine.u[1])];
+    let next = [w.store(fine.next[0]), w.store(fine.next[1])];
+    let mut found = [Err(Doubt); TOGETHER];
+    for l in 0..count {
+        let (at, next) = (at.as_flattened()[l], next.as_flattened()[l]);
+        if sure[l] && next <= SETTLED && at.abs() <= BEYOND {
+            let (helical, pitch) = cells[l].angles(at);
             found[l] = Ok(Angles { helical, pitch });
         }
     }

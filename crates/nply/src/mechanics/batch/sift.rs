@@ -72,22 +72,48 @@ impl Sums {
         candidates
     }
 
-    /// Hands every root of a candidate, alone in its bracket, to `found`.
+    /// The root of a candidate that is plainly the only one there, or the candidate's polynomial and how far it may be off.
     #[inline(always)]
-    pub(super) fn isolate(&self, candidate: usize, found: &mut impl FnMut(Bracket)) -> Result<(), Doubt> {
+    pub(super) fn single<W: Wide>(&self, w: W, candidate: usize) -> Result<Bracket, (Coefficients, f64)> {
         let (hand, half, lane) = (candidate / PANELS, candidate % PANELS / LANES, candidate % LANES);
         let sum = &self.hands[hand];
         let mut b = [0.0; ORDER];
         for i in 0..ORDER {
             b[i] = sum[i][half][lane];
         }
-        split(&b, self.tolerance[half][lane], [-1.0, 1.0], DEEPEST, found)
+        let tolerance = self.tolerance[half][lane];
+        let (low, high) = (w.load(&[b[0], b[1], b[2], b[3]]), w.load(&[b[4], b[5], b[6], b[7]]));
+        let zero = w.splat(0.0);
+        let least = w.min(w.max(low, w.sub(zero, low)), w.max(high, w.sub(zero, high)));
+        let unsure = w.bits(w.at_least(w.splat(tolerance), least));
+        let positive = w.bits(w.at_least(low, zero)) | w.bits(w.at_least(high, zero)) << LANES;
+        // bit i: coefficients i and i + 1 differ in sign
+        let changes = (positive ^ positive >> 1) & 0x7f;
+        if unsure == 0 && changes.is_power_of_two() {
+            Ok(bracket(&b, changes.trailing_zeros() as usize & 7, tolerance, [-1.0, 1.0]))
+        } else {
+            Err((b, tolerance))
+        }
     }
+}
+
+/// A root between coefficients `before` and the next, about where the control polygon crosses.
+#[inline(always)]
+fn bracket(b: &Coefficients, before: usize, tolerance: f64, ends: [f64; 2]) -> Bracket {
+    let (here, there) = (b[before], b[(before + 1).min(ORDER - 1)]);
+    let share = (before as f64 + here / (here - there)) * (1.0 / (ORDER - 1) as f64);
+    Bracket { ends, guess: ends[0] + (ends[1] - ends[0]) * share, tolerance }
+}
+
+/// Hands every root of a polynomial on a panel, alone in its bracket, to `found`.
+#[cold]
+#[inline(never)]
+pub(super) fn isolate(b: &Coefficients, tolerance: f64, found: &mut impl FnMut(Bracket)) -> Result<(), Doubt> {
+    split(b, tolerance, [-1.0, 1.0], DEEPEST, found)
 }
 
 /// One change among signs that are all sure: with the tolerance added or taken away the polynomial still has one root, so that
 /// the function's roots lie in one short stretch about it.
-#[inline(always)]
 fn split(
     b: &Coefficients,
     tolerance: f64,
@@ -95,27 +121,19 @@ fn split(
     depth: u32,
     found: &mut impl FnMut(Bracket),
 ) -> Result<(), Doubt> {
-    let (mut sure, mut changes, mut last) = (b[0].abs() > tolerance, 0, 0);
-    for i in 1..ORDER {
-        sure &= b[i].abs() > tolerance;
-        let changed = (b[i] > 0.0) != (b[i - 1] > 0.0);
-        changes += usize::from(changed);
-        last = if changed { i } else { last };
-    }
-    match changes {
-        0 if sure => Ok(()),
-        1 if sure => {
-            // where the control polygon crosses
-            let share = ((last - 1) as f64 + b[last - 1] / (b[last - 1] - b[last])) / (ORDER - 1) as f64;
-            found(Bracket { ends, guess: ends[0] + (ends[1] - ends[0]) * share, tolerance });
+    let sure = b.iter().all(|b| b.abs() > tolerance);
+    let changed = |i: &usize| (b[*i] > 0.0) != (b[i + 1] > 0.0);
+    let mut changes = (0..ORDER - 1).filter(changed);
+    match (sure, changes.next(), changes.next()) {
+        (true, None, _) => Ok(()),
+        (true, Some(before), None) => {
+            found(bracket(b, before, tolerance, ends));
             Ok(())
         }
         _ => halve(b, tolerance, ends, depth, found),
     }
 }
 
-#[cold]
-#[inline(never)]
 fn halve(
     b: &Coefficients,
     tolerance: f64,

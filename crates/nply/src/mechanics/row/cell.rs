@@ -36,7 +36,9 @@ pub(in crate::mechanics) struct Cell {
     /// whether the polynomials keep the balance's terms to within rounding
     pub(super) faithful: bool,
     pub(in crate::mechanics) middle: f64,
-    pub(in crate::mechanics) half: f64,
+    half: f64,
+    /// 1/`half`
+    pub(in crate::mechanics) per_half: f64,
     /// cos²θ times the balance, term by term
     pub(super) terms: Judged<TERMS>,
     /// tₖ′ tₗ − tₖ tₗ′ for k < l, ′ by u
@@ -201,6 +203,7 @@ impl Cell {
             faithful,
             middle,
             half,
+            per_half: 1.0 / half,
             terms: Judged::new(terms),
             wronskians: Judged::new(wronskians),
             powers: values.map(|values| septic::powers(&values)),
