@@ -10,11 +10,10 @@ mod sift;
 mod states;
 
 use std::cell::OnceCell;
-use std::sync::Arc;
 
 pub(in crate::mechanics) use panels::Both;
 use panels::PANELS;
-use refine::{Angles, Sought, TOGETHER, refine};
+use refine::{Sought, State, TOGETHER, refine};
 use sift::{Doubt, Sums, isolate};
 pub use states::States;
 
@@ -119,8 +118,8 @@ impl Plies<'_> {
     }
 }
 
-/// Rows that are worked on together.
-const BLOCK: usize = 64;
+/// Rows that are worked on together, those of one number of strands after the other, so that its polynomials stay at hand.
+const BLOCK: usize = 256;
 /// Numbers of strands with charts that are kept: n = 2 … 12.
 const KEPT: usize = 11;
 /// Weights beyond this are left to the solver that scales them.
@@ -140,67 +139,76 @@ impl Job for Batch<'_> {
         let Self { plies, balance, states } = self;
         let charts = [const { OnceCell::new() }; KEPT];
         let mut sums = Sums::new();
-        let mut sought: Vec<Sought<'_>> = Vec::with_capacity(4 * BLOCK);
-        let mut found: Vec<Found> = Vec::with_capacity(4 * BLOCK);
+        let mut sought: Vec<Sought<'_>> = Vec::with_capacity(BLOCK);
+        let mut found: Vec<Result<State, Doubt>> = Vec::with_capacity(4 * BLOCK);
         let mut alone = Alone { plies, balance, last: None };
         for first in (0..plies.strands.len()).step_by(BLOCK) {
             let rows = first..plies.strands.len().min(first + BLOCK);
-            let mut doubts = [false; BLOCK];
-            for (place, row) in rows.clone().enumerate() {
-                let before = sought.len();
-                if sift(w, self.plies, balance, row, &charts, &mut sums, &mut |s| sought.push(s)).is_err() {
-                    doubts[place] = true;
-                    sought.truncate(before);
+            let (order, ends) = by_strands(&plies.strands[rows.clone()]);
+            // where the states of each row stand in `found`; those of uncharted rows nowhere
+            let mut places = [const { Err(Doubt) }; BLOCK];
+            found.clear();
+            let mut start = 0;
+            for (chart, end) in charts.iter().zip(ends) {
+                if start == end {
+                    continue;
                 }
-            }
-            for together in sought.chunks(TOGETHER) {
-                for (sought, angles) in together.iter().zip(refine(w, together)) {
-                    match angles {
-                        Ok(angles) => found.push(Found { row: sought.row, handedness: sought.handedness, angles }),
-                        Err(Doubt) => doubts[sought.row - first] = true,
+                let chart = chart.get_or_init(|| Chart::of(plies.strands[first + usize::from(order[start])], balance));
+                sought.clear();
+                for &at in &order[start..end] {
+                    let (row, before) = (first + usize::from(at), sought.len());
+                    let sifted = sift(w, plies.data(row), balance, chart, &mut sums, &mut sought);
+                    if sifted.is_err() {
+                        sought.truncate(before);
                     }
+                    places[usize::from(at)] = sifted.map(|()| found.len() + before..found.len() + sought.len());
                 }
+                for together in sought.chunks(TOGETHER) {
+                    found.extend_from_slice(&refine(w, together)[..together.len()]);
+                }
+                start = end;
             }
-            let mut next = found.iter().peekable();
-            for (row, doubt) in rows.zip(doubts) {
-                if doubt {
-                    while next.next_if(|found| found.row == row).is_some() {}
-                    alone.solve(row, states);
-                } else {
-                    while let Some(found) = next.next_if(|found| found.row == row) {
-                        states.push(found.handedness, found.angles);
-                    }
+            for (row, place) in rows.zip(&places) {
+                match place {
+                    Ok(place) if states.push(&found[place.clone()]).is_ok() => {}
+                    _ => alone.solve(row, states),
                 }
                 states.end_row();
             }
-            sought.clear();
-            found.clear();
         }
     }
 }
 
-/// One state of a row.
-struct Found {
-    row: usize,
-    handedness: Handedness,
-    angles: Angles,
+/// The rows of a block by the number of strands, 2 … 12 and then all others, and where each number's rows end.
+fn by_strands(strands: &[u32]) -> ([u8; BLOCK], [usize; KEPT]) {
+    let key = |n: u32| (n.wrapping_sub(2) as usize).min(KEPT);
+    let mut next = [0; KEPT + 1];
+    for &n in strands {
+        next[key(n)] += 1;
+    }
+    let mut start = 0;
+    for count in &mut next {
+        start += core::mem::replace(count, start);
+    }
+    let mut order = [0; BLOCK];
+    for (&n, at) in strands.iter().zip(0_u8..=255) {
+        let place = &mut next[key(n)];
+        order[*place] = at;
+        *place += 1;
+    }
+    (order, core::array::from_fn(|key| next[key]))
 }
 
 /// The roots of one row, each alone in its bracket.
 #[inline(always)]
 fn sift<'a, W: Wide>(
     w: W,
-    plies: &Plies<'_>,
+    (gamma, twist, Load { force, moment }): (f64, Twist, Load),
     balance: Balance,
-    row: usize,
-    charts: &'a [OnceCell<Arc<Chart>>; KEPT],
+    chart: &'a Chart,
     sums: &mut Sums,
-    found: &mut impl FnMut(Sought<'a>),
+    sought: &mut Vec<Sought<'a>>,
 ) -> Result<(), Doubt> {
-    let strands = plies.strands[row];
-    let place = charts.get(strands.wrapping_sub(2) as usize).ok_or(Doubt)?;
-    let chart = place.get_or_init(|| Chart::of(strands, balance));
-    let (gamma, twist, Load { force, moment }) = plies.data(row);
     let (love, held) = twist.weights(gamma);
     let greatest = gamma + held.abs() + force.abs() + moment.abs();
     // of no number a comparison is true
@@ -208,23 +216,27 @@ fn sift<'a, W: Wide>(
         return Err(Doubt);
     }
     let weights = [1.0, love, held, force, moment];
-    let unloaded = force == 0.0 && moment == 0.0;
     let both = chart.panels();
     let pulled = force != 0.0 || (balance == Balance::Contact && moment != 0.0);
     let panels = if pulled { &both.whole } else { &both.unpulled };
-    let mut candidates =
-        if unloaded { sums.fill::<W, false>(w, panels, &weights) } else { sums.fill::<W, true>(w, panels, &weights) };
+    let mut candidates = if force == 0.0 && moment == 0.0 {
+        sums.fill::<W, false>(w, panels, &weights)
+    } else {
+        sums.fill::<W, true>(w, panels, &weights)
+    };
     while candidates != 0 {
         let candidate = candidates.trailing_zeros() as usize;
         candidates &= candidates - 1;
         let handedness = Handedness::BOTH[candidate / PANELS];
         let sign = handedness.sign();
         let signed = [1.0, love, sign * held, force, sign * moment];
-        let place = (row, handedness, candidate % PANELS);
+        let place = (handedness, candidate % PANELS);
         match sums.single(w, candidate) {
-            Ok(bracket) => found(Sought::new(place, bracket, signed, (chart, panels))),
+            Ok(bracket) => sought.push(Sought::new(place, bracket, signed, (chart, panels))),
             Err((b, tolerance)) => {
-                isolate(&b, tolerance, &mut |bracket| found(Sought::new(place, bracket, signed, (chart, panels))))?;
+                isolate(&b, tolerance, &mut |bracket| {
+                    sought.push(Sought::new(place, bracket, signed, (chart, panels)));
+                })?;
             }
         }
     }

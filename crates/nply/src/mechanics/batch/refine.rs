@@ -31,8 +31,7 @@ type Powers = [Four; ORDER / LANES];
 /// One root that is sought.
 #[derive(Clone, Copy)]
 pub(super) struct Sought<'a> {
-    pub(super) row: usize,
-    pub(super) handedness: Handedness,
+    handedness: Handedness,
     panel: usize,
     bracket: Bracket,
     weights: [f64; TERMS],
@@ -40,11 +39,12 @@ pub(super) struct Sought<'a> {
     panels: &'a Panels,
 }
 
-/// One root that is found: the helical and the pitch angle.
+/// One root that is found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Angles {
-    pub(super) helical: f64,
-    pub(super) pitch: f64,
+pub(super) struct State {
+    pub(super) handedness: Handedness,
+    pub(super) helical_angle: f64,
+    pub(super) pitch_angle: f64,
 }
 
 #[inline(always)]
@@ -62,12 +62,12 @@ impl<'a> Sought<'a> {
     /// `weights` carry the hand's sign.
     #[inline(always)]
     pub(super) fn new(
-        (row, handedness, panel): (usize, Handedness, usize),
+        (handedness, panel): (Handedness, usize),
         bracket: Bracket,
         weights: [f64; TERMS],
         (chart, panels): (&'a Chart, &'a Panels),
     ) -> Self {
-        Self { row, handedness, panel, bracket, weights, chart, panels }
+        Self { handedness, panel, bracket, weights, chart, panels }
     }
 
     #[inline(always)]
@@ -144,15 +144,25 @@ fn columns<W: Wide>(w: W, powers: &[Powers]) -> [W::V; ORDER] {
 
 /// Refines up to eight roots, at least one.
 #[inline(always)]
-pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<Angles, Doubt>; TOGETHER] {
+pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<State, Doubt>; TOGETHER] {
     let mut powers = [[[0.0; LANES]; ORDER / LANES]; TOGETHER];
     let mut start = [[0.0; LANES]; REGISTERS];
+    let mut guess = [[[0.0; LANES]; REGISTERS]; 4];
     let count = sought.len().min(TOGETHER);
     for l in 0..TOGETHER {
         // the last stands in for those that are missing
         let here = &sought[l.min(count - 1)];
         powers[l] = here.powers(w);
-        start.as_flattened_mut()[l] = here.bracket.guess;
+        for (list, value) in guess.iter_mut().zip(here.bracket.crossing) {
+            list.as_flattened_mut()[l] = value;
+        }
+    }
+    for r in 0..REGISTERS {
+        // where the control polygon crosses
+        let [from, step, here, there] = &guess;
+        let (here, there) = (w.load(&here[r]), w.load(&there[r]));
+        let share = w.div(here, w.sub(here, there));
+        start[r] = w.store(w.mul_add(w.load(&step[r]), share, w.load(&from[r])));
     }
     let coarse = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], &start, NEAR);
     let at = [w.store(coarse.u[0]), w.store(coarse.u[1])];
@@ -180,8 +190,8 @@ pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<Angles, Do
     for l in 0..count {
         let (at, next) = (at.as_flattened()[l], next.as_flattened()[l]);
         if sure[l] && next <= SETTLED && at.abs() <= BEYOND {
-            let (helical, pitch) = cells[l].angles(at);
-            found[l] = Ok(Angles { helical, pitch });
+            let (helical_angle, pitch_angle) = cells[l].angles(at);
+            found[l] = Ok(State { handedness: sought[l].handedness, helical_angle, pitch_angle });
         }
     }
     found

@@ -14,11 +14,12 @@ pub(super) struct Sums {
     tolerance: [Four; HALVES],
 }
 
-/// Between which u of a panel there is one root, where about, and how far the polynomial may be off.
+/// Between which u of a panel there is one root, and how far the polynomial may be off.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bracket {
     pub(super) ends: [f64; 2],
-    pub(super) guess: f64,
+    /// where the control polygon crosses zero: from this u, within this step, from this height to that
+    pub(super) crossing: [f64; 4],
     pub(super) tolerance: f64,
 }
 
@@ -97,12 +98,12 @@ impl Sums {
     }
 }
 
-/// A root between coefficients `before` and the next, about where the control polygon crosses.
+/// A root between coefficients `before` and the next.
 #[inline(always)]
 fn bracket(b: &Coefficients, before: usize, tolerance: f64, ends: [f64; 2]) -> Bracket {
-    let (here, there) = (b[before], b[(before + 1).min(ORDER - 1)]);
-    let share = (before as f64 + here / (here - there)) * (1.0 / (ORDER - 1) as f64);
-    Bracket { ends, guess: ends[0] + (ends[1] - ends[0]) * share, tolerance }
+    let step = (ends[1] - ends[0]) * (1.0 / (ORDER - 1) as f64);
+    let next = (before + 1).min(ORDER - 1);
+    Bracket { ends, crossing: [ends[0] + step * before as f64, step, b[before], b[next]], tolerance }
 }
 
 /// Hands every root of a polynomial on a panel, alone in its bracket, to `found`.

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use super::refine::Angles;
+use super::refine::State;
+use super::sift::Doubt;
 use crate::mechanics::Equilibrium;
 use crate::{DomainError, Handedness};
 
@@ -112,21 +113,34 @@ impl States {
         self.refused.clear();
     }
 
-    /// A state of the row that is being filled, put where it belongs.
+    /// The states of the row that is being filled, put in order, unless one is in doubt.
     #[inline]
-    pub(super) fn push(&mut self, handedness: Handedness, angles: Angles) {
-        self.handedness.push(handedness);
-        self.helical_angle.push(angles.helical);
-        self.pitch_angle.push(angles.pitch);
-        self.fold.push(false);
-        let start = self.offsets[self.offsets.len() - 1];
-        let mut at = self.helical_angle.len() - 1;
-        // roots come panel by panel: only within one of the flat half they may run downwards
-        while at > start && self.handedness[at - 1] == handedness && self.pitch_angle[at - 1] < self.pitch_angle[at] {
-            self.helical_angle.swap(at - 1, at);
-            self.pitch_angle.swap(at - 1, at);
-            at -= 1;
+    pub(super) fn push(&mut self, found: &[Result<State, Doubt>]) -> Result<(), Doubt> {
+        let mut doubt = false;
+        for state in found {
+            doubt |= state.is_err();
         }
+        if doubt {
+            return Err(Doubt);
+        }
+        let start = self.helical_angle.len();
+        for state in found.iter().flatten() {
+            self.handedness.push(state.handedness);
+            self.helical_angle.push(state.helical_angle);
+            self.pitch_angle.push(state.pitch_angle);
+            self.fold.push(false);
+            let mut at = self.helical_angle.len() - 1;
+            // roots come panel by panel: only within one of the flat half they may run downwards
+            while at > start
+                && self.handedness[at - 1] == self.handedness[at]
+                && self.pitch_angle[at - 1] < self.pitch_angle[at]
+            {
+                self.helical_angle.swap(at - 1, at);
+                self.pitch_angle.swap(at - 1, at);
+                at -= 1;
+            }
+        }
+        Ok(())
     }
 
     pub(super) fn push_state(&mut self, state: &Equilibrium) {
