@@ -9,6 +9,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nply::geometry::contact_batch;
+use nply::mechanics::{Balance, Plies, States, Twists};
 
 const COUNT: usize = 100_000;
 
@@ -40,5 +41,34 @@ fn contact(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(batch, contact);
+fn equilibria(c: &mut Criterion) {
+    let mut random = Uniform(2);
+    let mut list = |low: f64, high: f64| -> Vec<f64> { (0..COUNT).map(|_| random.next(low, high)).collect() };
+    let strands: Vec<u32> = list(2.0, 13.0).into_iter().map(|n| n as u32).collect();
+    let (stiffness_ratio, twist) = (list(0.6, 1.0), list(-2.0, 2.0));
+    let (mut force, mut moment) = (list(-1.0, 1.0), list(-4.0, 4.0));
+    force[..COUNT / 2].fill(0.0);
+    moment[..COUNT / 2].fill(0.0);
+    let plies = Plies {
+        strands: &strands,
+        stiffness_ratio: &stiffness_ratio,
+        twist: Twists::Pretwist(&twist),
+        force: &force,
+        moment: &moment,
+    };
+    let mut states = States::new();
+    let mut group = c.benchmark_group("batch");
+    group.throughput(Throughput::Elements(COUNT as u64));
+    for balance in Balance::BOTH {
+        group.bench_function(format!("equilibria, {}", balance.name()), |b| {
+            b.iter(|| {
+                black_box(&plies).equilibria(balance, &mut states).unwrap();
+                black_box(&states);
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(batch, contact, equilibria);
 criterion_main!(batch);

@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 pub(crate) mod columns;
 pub(crate) mod dual;
+pub(crate) mod halley;
 pub(crate) mod isolate;
 pub(crate) mod jet;
 pub(crate) mod jet2;

@@ -22,7 +22,7 @@ pub(crate) trait Wide: Copy {
     fn mul(self, a: Self::V, b: Self::V) -> Self::V;
     fn div(self, a: Self::V, b: Self::V) -> Self::V;
     fn sqrt(self, a: Self::V) -> Self::V;
-    /// ab + c.
+    /// ab + c, rounded once or twice.
     fn mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
     /// The lesser, `b` where either is not a number.
     fn min(self, a: Self::V, b: Self::V) -> Self::V;
@@ -46,13 +46,22 @@ pub(crate) trait Job {
     fn run<W: Wide>(self, wide: W) -> Self::Output;
 }
 
-/// Does a job with the widest registers there are.
+/// Does a job with the widest registers there are, and fused multiply-add where there is.
 pub(crate) fn dispatch<J: Job>(job: J) -> J::Output {
+    run::<J, true>(job)
+}
+
+/// As [`dispatch`], by products and sums alone: the same bits on every machine.
+pub(crate) fn dispatch_alike<J: Job>(job: J) -> J::Output {
+    run::<J, false>(job)
+}
+
+fn run<J: Job, const FUSED: bool>(job: J) -> J::Output {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
         #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
         // SAFETY: AVX2 and fused multiply-add are there.
-        return unsafe { avx2::run(job) };
+        return unsafe { avx2::run::<J, FUSED>(job) };
     }
     job.run(Plain)
 }
@@ -155,15 +164,15 @@ mod avx2 {
 
     /// Proof that AVX2 and fused multiply-add are there: made in [`run`] alone.
     #[derive(Clone, Copy, Debug)]
-    pub(super) struct Avx2(());
+    pub(super) struct Avx2<const FUSED: bool>(());
 
     #[target_feature(enable = "avx2,fma")]
-    pub(super) fn run<J: Job>(job: J) -> J::Output {
-        job.run(Avx2(()))
+    pub(super) fn run<J: Job, const FUSED: bool>(job: J) -> J::Output {
+        job.run(Avx2::<FUSED>(()))
     }
 
     // SAFETY, of every method: whoever holds an `Avx2` is called by `run`. Loads and stores are of whole arrays.
-    impl Wide for Avx2 {
+    impl<const FUSED: bool> Wide for Avx2<FUSED> {
         type V = __m256d;
         #[inline(always)]
         fn splat(self, a: f64) -> __m256d {
@@ -201,7 +210,7 @@ mod avx2 {
         }
         #[inline(always)]
         fn mul_add(self, a: __m256d, b: __m256d, c: __m256d) -> __m256d {
-            unsafe { _mm256_fmadd_pd(a, b, c) }
+            if FUSED { unsafe { _mm256_fmadd_pd(a, b, c) } } else { self.add(self.mul(a, b), c) }
         }
         #[inline(always)]
         fn min(self, a: __m256d, b: __m256d) -> __m256d {

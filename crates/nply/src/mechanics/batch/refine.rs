@@ -1,5 +1,4 @@
-//! Roots that stand alone, brought to their last digits eight at a time: one step has to wait for the other, so that two
-//! registers take turns.
+//! Roots that stand alone, brought to their last digits eight at a time.
 //!
 //! One or two of Halley's steps on a panel's polynomial lead into one of the short cells of a row's chart, on which the balance is
 //! a polynomial to within rounding; as a rule one more ends there.
@@ -8,15 +7,14 @@ use super::panels::{Panels, place};
 use super::sift::{Bracket, Doubt};
 use crate::Handedness;
 use crate::mechanics::row::{Chart, TERMS};
+use crate::numerics::halley::{size, walk};
 use crate::numerics::septic::{Coefficients, ORDER};
 use crate::numerics::wide::{Four, LANES, Wide};
 
-/// Roots that are refined together.
+/// Roots that are worked out together.
 pub(super) const TOGETHER: usize = REGISTERS * LANES;
 const REGISTERS: usize = 2;
 
-/// Steps on a panel or in a cell, after which a root that still moves is in doubt.
-const MOST_STEPS: usize = 5;
 /// What the next step on a panel, and in a cell, would move at the most, in u.
 const NEAR: f64 = 1e-6;
 const SETTLED: f64 = 2e-14;
@@ -76,64 +74,6 @@ impl<'a> Sought<'a> {
     }
 }
 
-/// A number for each of the roots in a register.
-type Rows<V> = [V; REGISTERS];
-
-/// Roots on their way.
-struct Way<V> {
-    u: Rows<V>,
-    /// what the next step would move at the most
-    next: Rows<V>,
-    slope: Rows<V>,
-}
-
-/// Halley's steps for all roots, until the next would move none of them by more than `enough`.
-#[inline(always)]
-fn walk<W: Wide>(w: W, c: &[[W::V; ORDER]; REGISTERS], start: &[Four; REGISTERS], enough: f64) -> Way<W::V> {
-    let zero = w.splat(0.0);
-    let mut way = Way { u: [w.load(&start[0]), w.load(&start[1])], next: [zero; REGISTERS], slope: [zero; REGISTERS] };
-    for _ in 0..MOST_STEPS {
-        step(w, c, &mut way);
-        let open = w.max(way.next[0], way.next[1]);
-        if w.bits(w.at_least(w.splat(enough), open)) == 0b1111 {
-            break;
-        }
-    }
-    way
-}
-
-#[inline(always)]
-fn step<W: Wide>(w: W, c: &[[W::V; ORDER]; REGISTERS], way: &mut Way<W::V>) {
-    let zero = w.splat(0.0);
-    let u = way.u;
-    let mut f = [w.mul_add(c[0][7], u[0], c[0][6]), w.mul_add(c[1][7], u[1], c[1][6])];
-    let mut slope = [c[0][7], c[1][7]];
-    let mut bend = [zero; REGISTERS];
-    for i in (0..6).rev() {
-        for r in 0..REGISTERS {
-            bend[r] = w.mul_add(bend[r], u[r], slope[r]);
-            slope[r] = w.mul_add(slope[r], u[r], f[r]);
-            f[r] = w.mul_add(f[r], u[r], c[r][i]);
-        }
-    }
-    for r in 0..REGISTERS {
-        let minus = w.sub(zero, f[r]);
-        let curved = w.mul(minus, bend[r]);
-        let inverse = w.div(w.splat(1.0), w.mul_add(slope[r], slope[r], curved));
-        let by = w.mul(w.mul(minus, slope[r]), inverse);
-        let share = w.add(size(w, by), size(w, w.mul(curved, inverse)));
-        way.u[r] = w.add(u[r], by);
-        // no number: the second is taken, which is none either
-        way.next[r] = w.mul(size(w, by), w.mul(share, share));
-        way.slope[r] = slope[r];
-    }
-}
-
-#[inline(always)]
-fn size<W: Wide>(w: W, a: W::V) -> W::V {
-    w.max(a, w.sub(w.splat(0.0), a))
-}
-
 #[inline(always)]
 fn columns<W: Wide>(w: W, powers: &[Powers]) -> [W::V; ORDER] {
     let [p, q, r, s] = [&powers[0], &powers[1], &powers[2], &powers[3]];
@@ -146,7 +86,7 @@ fn columns<W: Wide>(w: W, powers: &[Powers]) -> [W::V; ORDER] {
 #[inline(always)]
 pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<State, Doubt>; TOGETHER] {
     let mut powers = [[[0.0; LANES]; ORDER / LANES]; TOGETHER];
-    let mut start = [[0.0; LANES]; REGISTERS];
+    let mut start = [w.splat(0.0); REGISTERS];
     let mut guess = [[[0.0; LANES]; REGISTERS]; 4];
     let count = sought.len().min(TOGETHER);
     for l in 0..TOGETHER {
@@ -162,13 +102,14 @@ pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<State, Dou
         let [from, step, here, there] = &guess;
         let (here, there) = (w.load(&here[r]), w.load(&there[r]));
         let share = w.div(here, w.sub(here, there));
-        start[r] = w.store(w.mul_add(w.load(&step[r]), share, w.load(&from[r])));
+        start[r] = w.mul_add(w.load(&step[r]), share, w.load(&from[r]));
     }
-    let coarse = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], &start, NEAR);
+    let coarse = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], start, NEAR);
     let at = [w.store(coarse.u[0]), w.store(coarse.u[1])];
     let next = [w.store(coarse.next[0]), w.store(coarse.next[1])];
     let slope = [w.store(size(w, coarse.slope[0])), w.store(size(w, coarse.slope[1]))];
 
+    let mut in_cell = [[0.0; LANES]; REGISTERS];
     let mut cells = [&sought[0].chart.cells[0]; TOGETHER];
     let mut sure = [false; TOGETHER];
     for l in 0..TOGETHER {
@@ -180,10 +121,11 @@ pub(super) fn refine<W: Wide>(w: W, sought: &[Sought<'_>]) -> [Result<State, Dou
         let cell = chart.cell(*panel >= LANES, t);
         sure[l] = inside & (next <= NEAR) & (slope > STEEP * bracket.tolerance) & !cell.edge;
         powers[l] = sum(w, &cell.powers, weights);
-        start.as_flattened_mut()[l] = (t - cell.middle) * cell.per_half;
+        in_cell.as_flattened_mut()[l] = (t - cell.middle) * cell.per_half;
         cells[l] = cell;
     }
-    let fine = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], &start, SETTLED);
+    let start = [w.load(&in_cell[0]), w.load(&in_cell[1])];
+    let fine = walk(w, &[columns(w, &powers[..LANES]), columns(w, &powers[LANES..])], start, SETTLED);
     let at = [w.store(fine.u[0]), w.store(fine.u[1])];
     let next = [w.store(fine.next[0]), w.store(fine.next[1])];
     let mut found = [Err(Doubt); TOGETHER];
