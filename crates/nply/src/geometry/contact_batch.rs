@@ -216,3 +216,42 @@ fn pair_at<W: Wide>(w: W, place: f64, u2: f64, u4: f64) -> W::V {
     let high = w.mul_add(w.load(r5), u2, w.load(r4));
     w.mul_add(w.mul_add(high, u4, middle), u4, low)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::wide::Plain;
+
+    /// Rows near all borders, with every number of strands.
+    fn rows() -> (Vec<u32>, Vec<f64>) {
+        let places = (0..=480).flat_map(|k| [0.0, 1e-15, -1e-15, 1e-7].map(|d| FRAC_PI_2 * f64::from(k) / 480.0 + d));
+        let angles: Vec<f64> = places.map(|t: f64| t.clamp(0.0, FRAC_PI_2)).collect();
+        (2..=13_u32).flat_map(|n| angles.iter().map(move |&t| (n, t)).collect::<Vec<_>>()).unzip()
+    }
+
+    #[test]
+    fn every_machine_gives_the_same_to_a_few_units() {
+        let (strands, angles) = rows();
+        let work = |plain: bool| {
+            let (mut x, mut rho) = (vec![0.0; strands.len()], vec![0.0; strands.len()]);
+            let mut refused = |row: usize, _: DomainError| panic!("row {row}");
+            let columns = Columns {
+                strands: &strands,
+                helical_angles: &angles,
+                arclength_shift: &mut x,
+                radius_ratio: &mut rho,
+                refused: &mut refused,
+            };
+            if plain {
+                columns.run(Plain)
+            } else {
+                dispatch(columns)
+            }
+            (x, rho)
+        };
+        let ((x, rho), (fused_x, fused_rho)) = (work(true), work(false));
+        for (got, want) in x.iter().zip(&fused_x).chain(rho.iter().zip(&fused_rho)) {
+            assert!(got.to_bits().abs_diff(want.to_bits()) <= 3, "{got:e} {want:e}");
+        }
+    }
+}

@@ -272,3 +272,38 @@ impl Alone<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::wide::Plain;
+
+    #[test]
+    fn every_machine_finds_the_same_states() {
+        let even = |i: usize, step: f64| ((i as f64 * step) % 2.0) - 1.0;
+        let count = 2000;
+        let list = |step: f64, size: f64| (0..count).map(|i| size * even(i, step)).collect::<Vec<_>>();
+        let strands: Vec<u32> = (0..count).map(|i| 2 + (i % 12) as u32).collect();
+        let (twist, moment) = (list(0.618_034, 2.0), list(0.414_214, 4.0));
+        let mut force = list(0.732_051, 1.0);
+        force[..count / 3].fill(0.0);
+        let plies = Plies {
+            strands: &strands,
+            stiffness_ratio: &vec![0.75; count],
+            twist: Twists::Pretwist(&twist),
+            force: &force,
+            moment: &moment,
+        };
+        for balance in Balance::BOTH {
+            let (mut fused, mut plain) = (States::new(), States::new());
+            plies.equilibria(balance, &mut fused).unwrap();
+            Batch { plies: &plies, balance, states: &mut plain }.run(Plain);
+            assert_eq!(fused.offsets(), plain.offsets());
+            assert_eq!(fused.handedness(), plain.handedness());
+            for (a, b) in fused.helical_angle().iter().zip(plain.helical_angle()) {
+                assert!((a - b).abs() < 1e-13, "{a} {b}");
+            }
+            assert!(fused.len() > count);
+        }
+    }
+}
