@@ -19,12 +19,16 @@ const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// Groups of four rows in a block, whose steps are taken one after the other for all of them: each step is a short loop, and
 /// the rows in it wait for nothing.
-const GROUPS: usize = 8;
+const GROUPS: usize = 4;
 /// Rows in a block.
-pub(crate) const BLOCK: usize = GROUPS * LANES;
+const BLOCK: usize = GROUPS * LANES;
 
 /// A number for each row of a block.
-pub(crate) type Rows = [Four; GROUPS];
+type Rows = [Four; GROUPS];
+
+/// What the steps of a block hand on: u, u², u⁴, the place in the charts, what x and ρ are multiplied and divided by, and whether two
+/// strands are in line contact. Kept from block to block, so that it need not be emptied for each.
+type Notes = [Rows; 7];
 
 /// x and ρ, (6) and (4), of touching strands for arrays of n and θ: `arclength_shift[i]` and `radius_ratio[i]` as
 /// [`Contact::arclength_shift`] and [`Contact::radius_ratio`] of `strands[i]` ≥ 2 and `helical_angles[i]` in [0, π/2) rad.
@@ -81,6 +85,7 @@ impl<R: FnMut(usize, DomainError)> Job for Columns<'_, R> {
 
     #[inline(always)]
     fn run<W: Wide>(self, wide: W) {
+        let mut notes = [[[0.0; LANES]; GROUPS]; 7];
         let mut first = 0;
         while first < self.strands.len() {
             let rows = first..self.strands.len().min(first + BLOCK);
@@ -93,13 +98,13 @@ impl<R: FnMut(usize, DomainError)> Job for Columns<'_, R> {
                 shift.as_chunks_mut().0.as_chunks_mut().0,
                 radius.as_chunks_mut().0.as_chunks_mut().0,
             ) {
-                ([strands], [angles], [shift], [radius]) => block(wide, strands, angles, shift, radius),
+                ([strands], [angles], [shift], [radius]) => block(wide, strands, angles, shift, radius, &mut notes),
                 _ => {
                     let (mut n, mut theta) = ([[2; LANES]; GROUPS], [[0.0; LANES]; GROUPS]);
                     n.as_flattened_mut()[..length].copy_from_slice(strands);
                     theta.as_flattened_mut()[..length].copy_from_slice(angles);
                     let (mut x, mut rho) = ([[0.0; LANES]; GROUPS], [[0.0; LANES]; GROUPS]);
-                    let charted = block(wide, &n, &theta, &mut x, &mut rho);
+                    let charted = block(wide, &n, &theta, &mut x, &mut rho, &mut notes);
                     shift.copy_from_slice(&x.as_flattened()[..length]);
                     radius.copy_from_slice(&rho.as_flattened()[..length]);
                     charted
@@ -143,14 +148,15 @@ fn one_by_one(
 
 /// x and ρ for the charted rows of a block, and whether all of them are; others get numbers without meaning.
 #[inline(always)]
-pub(crate) fn block<W: Wide>(
+fn block<W: Wide>(
     w: W,
     strands: &[[u32; LANES]; GROUPS],
     angles: &Rows,
     shift: &mut Rows,
     radius: &mut Rows,
+    notes: &mut Notes,
 ) -> bool {
-    let [mut us, mut u2s, mut u4s, mut places, mut roots, mut divisors, mut in_line] = [[[0.0; LANES]; GROUPS]; 7];
+    let [us, u2s, u4s, places, factors, divisors, in_line] = notes;
     let (zero, one) = (w.splat(0.0), w.splat(1.0));
     let pieces = w.splat(PIECES as f64);
     let mut charted = 0b1111;
@@ -180,7 +186,7 @@ pub(crate) fn block<W: Wide>(
         let past = w.max(w.sub(w.sub(t, w.splat(FRAC_PI_4)), w.splat(FRAC_PI_4_REST)), zero);
         let pitch = w.add(w.sub(w.splat(FRAC_PI_2), t), w.splat(FRAC_PI_2_REST));
         let flat = w.or(two, w.at_least(piece, w.splat(PIECES as f64 / 2.0)));
-        roots[i] = w.store(w.select(two, w.sqrt(past), t));
+        factors[i] = w.store(w.select(two, w.sqrt(past), t));
         divisors[i] = w.store(w.select(flat, pitch, one));
         in_line[i] = w.store(w.and(two, w.at_least(zero, past)));
     }
@@ -198,7 +204,7 @@ pub(crate) fn block<W: Wide>(
         radius[i] = w.store(w.mul_add(radius_odd, u, radius_even));
     }
     for i in 0..GROUPS {
-        shift[i] = w.store(w.mul(w.load(&roots[i]), w.load(&shift[i])));
+        shift[i] = w.store(w.mul(w.load(&factors[i]), w.load(&shift[i])));
         let rho = w.div(w.load(&radius[i]), w.load(&divisors[i]));
         radius[i] = w.store(w.max(w.select(w.load(&in_line[i]), one, rho), one));
     }
