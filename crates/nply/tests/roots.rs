@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use common::touch::{Touch, touch};
 use nply::Handedness;
 use nply::geometry::HelicalAngle;
-use nply::mechanics::{Balance, Load, Ply, Twist};
+use nply::mechanics::{Balance, Equilibrium, Load, Plies, Ply, States, Twist, Twists};
 
 /// Weights (1, γ, εγφ̄a, f, εm).
 type Weights = [f64; 5];
@@ -150,11 +150,37 @@ impl Table {
         }
     }
 
+    /// An array of this case alone has the same states.
+    fn hold_array(&self, case: &Case, states: &[Equilibrium]) {
+        let mut array = States::new();
+        let plies = Plies {
+            strands: &[self.strands],
+            stiffness_ratio: &[case.gamma],
+            twist: Twists::Pretwist(&[case.pretwist]),
+            force: &[case.force],
+            moment: &[case.moment],
+        };
+        plies.equilibria(self.balance, &mut array).unwrap();
+        let told = || format!("n = {}, {:?}, {case:?}: {array:?}", self.strands, self.balance);
+        assert_eq!(array.len(), states.len(), "{}", told());
+        for (k, state) in states.iter().enumerate() {
+            let angle = state.contact().angle();
+            let away = (array.helical_angle()[k] - angle.radians()).abs();
+            let away = away.min((array.pitch_angle()[k] - angle.pitch_angle()).abs());
+            let slope = (state.balance_slope() * angle.cos() * angle.cos()).abs();
+            let at = terms(self.strands, self.balance, angle);
+            let rounding = 3e-14 * size(&at, &case.weights(state.handedness())) / slope;
+            assert!(away <= 1e-12 + rounding || state.is_fold(), "{away:e} apart: {}", told());
+            assert_eq!(array.handedness()[k], state.handedness(), "{}", told());
+        }
+    }
+
     /// Holds the library's states against the scan. Gives how many roots there were and whether any was doubtful.
     fn hold(&self, case: &Case) -> (usize, bool) {
         let ply = Ply::with_balance(self.strands, case.gamma, self.balance).unwrap();
         let load = Load { force: case.force, moment: case.moment };
         let states = ply.equilibria(Twist::Pretwist(case.pretwist), load).unwrap();
+        self.hold_array(case, &states);
         let (mut count, mut any) = (0, false);
         for hand in Handedness::BOTH {
             let w = case.weights(hand);

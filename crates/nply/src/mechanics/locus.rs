@@ -5,6 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::{Load, Ply, Twist};
 use crate::geometry::HelicalAngle;
 use crate::numerics::quadrant::{octant, sincos};
+use crate::numerics::wide::{Job, Wide, dispatch_alike};
 use crate::{DomainError, Handedness};
 
 /// The loads at which touching strands just stop pressing on each other, from straight strands to flat rings, for both hands.
@@ -58,7 +59,8 @@ impl Ply {
             forces: [empty(), empty()],
             moments: [empty(), empty()],
         };
-        Curve { n, love, held, line, past, step }.draw(&mut locus);
+        // as wide registers as the processor has, but the same products and sums, and so the same bits
+        dispatch_alike(Drawing { curve: Curve { n, love, held, line, past, step }, locus: &mut locus });
         let Locus { sin_squared, cos_squared, forces, moments } = &mut locus;
         for array in [sin_squared, cos_squared].into_iter().chain(forces).chain(moments) {
             array.truncate(points);
@@ -79,27 +81,22 @@ struct Curve {
     step: f64,
 }
 
+/// A curve to be drawn into its arrays.
+struct Drawing<'a> {
+    curve: Curve,
+    locus: &'a mut Locus,
+}
+
+impl Job for Drawing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self, _: W) {
+        self.curve.fill(self.locus);
+    }
+}
+
 impl Curve {
-    /// Fills the arrays, with as wide registers as the processor has: the same products and sums, and so the same bits.
-    fn draw(self, locus: &mut Locus) {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            #[expect(unsafe_code, reason = "the processor was just asked for what the function needs")]
-            // SAFETY: AVX2 is there.
-            unsafe {
-                self.draw_wide(locus);
-            }
-            return;
-        }
-        self.fill(locus);
-    }
-
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    fn draw_wide(self, locus: &mut Locus) {
-        self.fill(locus);
-    }
-
     #[inline(always)]
     fn fill(self, locus: &mut Locus) {
         let Self { n, love, held, line, past, step } = self;

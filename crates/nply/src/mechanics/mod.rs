@@ -2,6 +2,7 @@
 
 mod atlas;
 mod balance;
+mod batch;
 mod buckling;
 mod cable;
 mod displacement;
@@ -31,6 +32,7 @@ mod twist;
 mod twisted_strings;
 
 pub use balance::Balance;
+pub use batch::{Plies, States, Twists};
 pub use buckling::BendingBounds;
 pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};

@@ -45,14 +45,24 @@ impl Ply {
     /// [`DomainError`] on `strands` or `stiffness_ratio`.
     pub fn with_balance(strands: u32, stiffness_ratio: f64, balance: Balance) -> Result<Self, DomainError> {
         check_strands(strands)?;
+        Self::check_ratio(stiffness_ratio)?;
+        let atlas = chart(strands, balance);
+        Ok(Self { strands, stiffness_ratio, balance, external_pressure: 0.0, atlas })
+    }
+
+    fn check_ratio(stiffness_ratio: f64) -> Result<(), DomainError> {
         DomainError::check(
             stiffness_ratio > 0.0 && stiffness_ratio < f64::INFINITY,
             "stiffness_ratio",
             stiffness_ratio,
             "greater than 0 and finite",
-        )?;
-        let atlas = chart(strands, balance);
-        Ok(Self { strands, stiffness_ratio, balance, external_pressure: 0.0, atlas })
+        )
+    }
+
+    /// The same ply with another γ, without charting its branch anew.
+    pub(super) fn with_stiffness_ratio(&self, stiffness_ratio: f64) -> Result<Self, DomainError> {
+        Self::check_ratio(stiffness_ratio)?;
+        Ok(Self { stiffness_ratio, ..self.clone() })
     }
 
     #[doc = include_str!("../equations/external_pressure.md")]

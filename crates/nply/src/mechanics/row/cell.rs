@@ -9,7 +9,7 @@ use crate::numerics::dual::Dual;
 use crate::numerics::septic::{self, Coefficients, NODES, ORDER};
 
 /// The terms of the balance, and the pairs of different ones.
-pub(super) const TERMS: usize = 5;
+pub(in crate::mechanics) const TERMS: usize = 5;
 pub(super) const PAIRS: usize = TERMS * (TERMS - 1) / 2;
 /// The terms of the pressure: bending, Love's torsion, the twist held, the moment.
 pub(super) const PRESSURES: usize = 4;
@@ -29,19 +29,21 @@ pub(super) struct Judged<const K: usize> {
 
 /// Polynomials in u, −1 at the `start` and 1 at the end, in the helical or the pitch angle.
 #[derive(Clone, Debug)]
-pub(super) struct Cell {
-    pub(super) flat: bool,
+pub(in crate::mechanics) struct Cell {
+    pub(in crate::mechanics) flat: bool,
     /// whether it begins at 0, where the balance or its quotient by the angle may vanish: it is judged and never followed
-    pub(super) edge: bool,
+    pub(in crate::mechanics) edge: bool,
     /// whether the polynomials keep the balance's terms to within rounding
     pub(super) faithful: bool,
-    middle: f64,
+    pub(in crate::mechanics) middle: f64,
     half: f64,
+    /// 1/`half`
+    pub(in crate::mechanics) per_half: f64,
     /// cos²θ times the balance, term by term
     pub(super) terms: Judged<TERMS>,
     /// tₖ′ tₗ − tₖ tₗ′ for k < l, ′ by u
     pub(super) wronskians: Judged<PAIRS>,
-    pub(super) powers: [Coefficients; TERMS],
+    pub(in crate::mechanics) powers: [Coefficients; TERMS],
     pub(super) pressure: Pressure,
 }
 
@@ -121,7 +123,11 @@ impl Sample {
 }
 
 /// Values at the nodes, and then how far the polynomial through them is off.
-fn judged(values: &Coefficients, sizes: f64, between: impl Fn(usize) -> f64) -> (Coefficients, f64) {
+pub(in crate::mechanics) fn judged(
+    values: &Coefficients,
+    sizes: f64,
+    between: impl Fn(usize) -> f64,
+) -> (Coefficients, f64) {
     let powers = septic::powers(values);
     let off = (0..ORDER - 1).map(|i| {
         let u = 0.5 * (NODES[i] + NODES[i + 1]);
@@ -130,7 +136,7 @@ fn judged(values: &Coefficients, sizes: f64, between: impl Fn(usize) -> f64) -> 
     (septic::bernstein(values), 4.0 * off.fold(2.0 * f64::EPSILON * sizes, f64::max))
 }
 
-fn largest(values: &Coefficients) -> f64 {
+pub(in crate::mechanics) fn largest(values: &Coefficients) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
@@ -197,6 +203,7 @@ impl Cell {
             faithful,
             middle,
             half,
+            per_half: 1.0 / half,
             terms: Judged::new(terms),
             wronskians: Judged::new(wronskians),
             powers: values.map(|values| septic::powers(&values)),
@@ -211,10 +218,14 @@ impl Cell {
 
     /// The helical and the pitch angle at u.
     #[inline]
-    pub(super) fn angles(&self, u: f64) -> (f64, f64) {
+    pub(in crate::mechanics) fn angles(&self, u: f64) -> (f64, f64) {
         let t = self.middle + self.half * u;
         let complement = (FRAC_PI_2 - t) + FRAC_PI_2_REST;
         if self.flat { (complement, t) } else { (t, complement) }
+    }
+
+    pub(super) fn end(&self) -> f64 {
+        self.middle + self.half
     }
 
     /// The helical angle at u as a place on the branch.
@@ -240,14 +251,6 @@ mod tests {
         for balance in Balance::BOTH {
             for strands in [2, 3, 5, 12, 40, 1000] {
                 let chart = Chart::of(strands, balance);
-                println!(
-                    "CELLS {balance:?} {strands} {} not faithful {}",
-                    chart.cells.len(),
-                    chart.cells.iter().filter(|cell| !cell.faithful).count()
-                );
-                for c in &chart.cells {
-                    if !c.faithful || c.half < 0.007 {}
-                }
                 assert!(chart.cells.iter().all(|cell| cell.faithful || cell.edge), "{balance:?}, n = {strands}");
             }
         }

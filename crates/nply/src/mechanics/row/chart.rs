@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::cell::Cell;
 use crate::mechanics::Balance;
+use crate::mechanics::batch::Both;
 
 /// Cells of one width on either side of π/4.
 const WIDE: u32 = 48;
@@ -16,11 +17,17 @@ const MOST_HALVINGS: u32 = 3;
 
 /// The branch from straight strands to flat rings, by helical angle up to π/4 and by pitch angle beyond.
 #[derive(Debug)]
-pub(super) struct Chart {
+pub(in crate::mechanics) struct Chart {
     strands: u32,
     balance: Balance,
-    pub(super) cells: Vec<Cell>,
+    pub(in crate::mechanics) cells: Vec<Cell>,
+    /// the cell in which each bin of the steep and of the flat half begins
+    bins: [Vec<usize>; 2],
+    panels: OnceLock<Both>,
 }
+
+/// Bins as wide as the narrowest cell that was halved.
+const BINS: usize = (WIDE << MOST_HALVINGS) as usize;
 
 impl Chart {
     fn new(strands: u32, balance: Balance) -> Self {
@@ -31,11 +38,31 @@ impl Chart {
                 fit(&mut cells, (strands, balance, flat), ends[0], ends[1], MOST_HALVINGS);
             }
         }
-        Self { strands, balance, cells }
+        let bins = [false, true].map(|flat| {
+            let own = |begin: f64| cells.iter().position(|cell| cell.flat == flat && cell.end() > begin);
+            (0..BINS).map(|bin| own(FRAC_PI_4 * bin as f64 / BINS as f64).unwrap_or(0)).collect()
+        });
+        Self { strands, balance, cells, bins, panels: OnceLock::new() }
+    }
+
+    /// The cell at a helical angle below π/4, or at a pitch angle below it.
+    #[inline]
+    pub(in crate::mechanics) fn cell(&self, flat: bool, t: f64) -> &Cell {
+        let bin = ((t * (BINS as f64 / FRAC_PI_4)) as usize).min(BINS - 1);
+        let mut at = self.bins[usize::from(flat)][bin];
+        while t > self.cells[at].end() && self.cells.get(at + 1).is_some_and(|next| next.flat == flat) {
+            at += 1;
+        }
+        &self.cells[at]
+    }
+
+    /// The branch in few and wide panels.
+    pub(in crate::mechanics) fn panels(&self) -> &Both {
+        self.panels.get_or_init(|| Both::new(self.strands, self.balance))
     }
 
     /// The chart, kept for the numbers of strands that people use and for the last other one.
-    pub(super) fn of(strands: u32, balance: Balance) -> Arc<Self> {
+    pub(in crate::mechanics) fn of(strands: u32, balance: Balance) -> Arc<Self> {
         const KEPT: usize = 11; // n = 2 … 12
         static CONTACT: [OnceLock<Arc<Chart>>; KEPT] = [const { OnceLock::new() }; KEPT];
         static RADIAL: [OnceLock<Arc<Chart>>; KEPT] = [const { OnceLock::new() }; KEPT];

@@ -6,20 +6,20 @@ use super::cell::Cell;
 use super::line::Line;
 use super::piece::Piece;
 use crate::numerics::dual::Dual;
+use crate::numerics::halley::{size, walk};
 use crate::numerics::root::bracketed;
-use crate::numerics::septic::{self, Coefficients};
+use crate::numerics::septic::{self, Coefficients, ORDER};
+use crate::numerics::wide::{Four, LANES, Wide};
 
-/// Roots that are worked out together, in loops without a branch.
-const BLOCK: usize = 16;
-/// A block is filled up to a multiple of this, by its last value.
-const LANES: usize = 4;
-/// Steps taken together; then the roots that still move are bracketed one by one.
-const STEPS: usize = 3;
+/// Roots that are worked out together.
+const TOGETHER: usize = REGISTERS * LANES;
+const REGISTERS: usize = 2;
+
 /// What the next step would move at the most, in u.
 const SETTLED: f64 = 2e-14;
 
 /// A number for each root.
-type Block = [f64; BLOCK];
+type Block = [Four; REGISTERS];
 
 /// What is found at one root.
 #[derive(Clone, Copy, Debug)]
@@ -62,10 +62,11 @@ impl Start {
     }
 
     #[inline(always)]
-    fn fill(&self, x: &[f64], u: &mut [f64]) {
-        for (u, &x) in u.iter_mut().zip(x) {
-            *u = self.at(x);
-        }
+    fn wide<W: Wide>(&self, w: W, x: W::V) -> W::V {
+        let s = w.mul(w.sub(x, w.splat(self.x)), w.splat(self.per_x));
+        let [c0, c1, c2, c3] = self.cubic;
+        let u = w.mul_add(s, w.mul_add(s, w.splat(c3), w.splat(c2)), w.splat(c1));
+        w.mul_add(s, u, w.splat(c0))
     }
 
     #[inline(always)]
@@ -94,15 +95,17 @@ impl<'a> Follower<'a> {
 
     /// Hands the root for each of these values of the piece to `found`.
     #[inline(always)]
-    pub(super) fn follow(&self, list: &[f64], values: Range<usize>, mut found: impl FnMut(Found)) {
-        let [mut x, mut u, mut apart, mut together]: [Block; 4] = [[0.0; BLOCK]; 4];
+    pub(super) fn follow<W: Wide>(&self, w: W, list: &[f64], values: Range<usize>, mut found: impl FnMut(Found)) {
         let mut first = values.start;
-        for given in list[values].chunks(BLOCK) {
-            let filled = given.len().next_multiple_of(LANES);
-            x[..given.len()].copy_from_slice(given);
-            x[given.len()..filled].fill(given[given.len() - 1]);
-            self.roots(&x[..filled], &mut u[..filled]);
-            self.pressures(&x[..filled], &u[..filled], &mut apart[..filled], &mut together[..filled]);
+        for given in list[values].chunks(TOGETHER) {
+            // the last stands in for those that are missing
+            let mut x = [[given[given.len() - 1]; LANES]; REGISTERS];
+            for (x, &given) in x.as_flattened_mut().iter_mut().zip(given) {
+                *x = given;
+            }
+            let u = self.roots(w, &x);
+            let (apart, together) = self.pressures(w, &x, &u);
+            let (u, apart, together) = (u.as_flattened(), apart.as_flattened(), together.as_flattened());
             for l in 0..given.len() {
                 found(Found {
                     value: first + l,
@@ -117,73 +120,61 @@ impl<'a> Follower<'a> {
     }
 
     #[inline(always)]
-    fn roots(&self, x: &[f64], u: &mut [f64]) {
+    fn roots<W: Wide>(&self, w: W, list: &Block) -> Block {
         let [from, to] = self.piece.u;
-        let mut error = [0.0; BLOCK];
-        let error = &mut error[..x.len()];
-        self.start.fill(x, u);
-        for _ in 0..STEPS {
-            self.step(x, u, error);
-            let settled = |all, (&u, &error): (&f64, &f64)| all & (error <= SETTLED) & (u >= from) & (u <= to);
-            if u.iter().zip(&*error).fold(true, settled) {
-                return;
+        let (mut c, mut x) = ([[w.splat(0.0); ORDER]; REGISTERS], [w.splat(0.0); REGISTERS]);
+        for r in 0..REGISTERS {
+            x[r] = w.load(&list[r]);
+            for (i, c) in c[r].iter_mut().enumerate() {
+                *c = w.mul_add(x[r], w.splat(self.b[i]), w.splat(self.a[i]));
             }
         }
-        for ((u, &error), &x) in u.iter_mut().zip(&*error).zip(x) {
-            if !(error <= SETTLED && *u >= from && *u <= to) {
-                *u = self.bracketed(x);
+        let mut start = x;
+        for start in &mut start {
+            *start = self.start.wide(w, *start);
+        }
+        let way = walk(w, &c, start, SETTLED);
+        let mut u = [[0.0; LANES]; REGISTERS];
+        for (u, at) in u.iter_mut().zip(way.u) {
+            *u = w.store(at);
+        }
+        for r in 0..REGISTERS {
+            let inside = w.and(w.at_least(way.u[r], w.splat(from)), w.at_least(w.splat(to), way.u[r]));
+            let settled = w.bits(w.and(inside, w.at_least(w.splat(SETTLED), way.next[r])));
+            if settled != 0b1111 {
+                for l in 0..LANES {
+                    if settled >> l & 1 == 0 {
+                        u[r][l] = self.bracketed(list[r][l]);
+                    }
+                }
             }
         }
-    }
-
-    /// One of Halley's steps for every root, and about what the next would move.
-    #[inline(always)]
-    fn step(&self, x: &[f64], u: &mut [f64], error: &mut [f64]) {
-        let (a, b) = (self.a, self.b);
-        for ((u, error), &x) in u.iter_mut().zip(error).zip(x) {
-            let [c0, c1, c2, c3, c4, c5, c6, c7]: Coefficients = core::array::from_fn(|i| a[i] + x * b[i]);
-            let at = *u;
-            let (mut f, mut df, mut half_d2f) = (c7 * at + c6, c7, c7);
-            (df, f) = (df * at + f, f * at + c5);
-            for c in [c4, c3, c2, c1] {
-                (half_d2f, df, f) = (half_d2f * at + df, df * at + f, f * at + c);
-            }
-            (half_d2f, df, f) = (half_d2f * at + df, df * at + f, f * at + c0);
-            let bend = f * half_d2f;
-            let inverse = 1.0 / (df * df - bend);
-            let step = f * df * inverse;
-            let share = step.abs() + (bend * inverse).abs();
-            *u = at - step;
-            *error = step.abs() * share * share;
-        }
+        u
     }
 
     /// p₁ and p at every root; both are 0 where they are lost in the rounding of their terms.
     #[inline(always)]
-    fn pressures(&self, x: &[f64], u: &[f64], apart: &mut [f64], together: &mut [f64]) {
-        let (a, factor, rounding) = (self.pressure_a, self.cell.pressure.factor, self.pressure_rounding);
-        match &self.pressure_b {
-            Some(b) => {
-                for ((sum, &u), &x) in apart.iter_mut().zip(u).zip(x) {
-                    let line: Coefficients = core::array::from_fn(|i| a[i] + x * b[i]);
-                    *sum = septic::value(&line, u);
+    fn pressures<W: Wide>(&self, w: W, x: &Block, u: &Block) -> (Block, Block) {
+        let mut both = ([[0.0; LANES]; REGISTERS], [[0.0; LANES]; REGISTERS]);
+        let rounding = w.splat(self.pressure_rounding);
+        for r in 0..REGISTERS {
+            let (x, u) = (w.load(&x[r]), w.load(&u[r]));
+            let mut sum = w.splat(0.0);
+            for i in (0..ORDER).rev() {
+                let mut coefficient = w.splat(self.pressure_a[i]);
+                if let Some(b) = &self.pressure_b {
+                    coefficient = w.mul_add(x, w.splat(b[i]), coefficient);
                 }
+                sum = w.mul_add(sum, u, coefficient);
             }
-            None => {
-                for (sum, &u) in apart.iter_mut().zip(u) {
-                    *sum = septic::value(&a, u);
-                }
+            sum = w.select(w.at_least(rounding, size(w, sum)), w.splat(0.0), sum);
+            both.1[r] = w.store(w.mul(sum, wide_value(w, &self.cell.pressure.factor, u)));
+            if let Some(divisor) = &self.cell.pressure.divisor {
+                sum = w.div(sum, wide_value(w, divisor, u));
             }
+            both.0[r] = w.store(sum);
         }
-        for ((sum, product), &u) in apart.iter_mut().zip(together).zip(u) {
-            *sum = if sum.abs() > rounding { *sum } else { 0.0 };
-            *product = *sum * septic::value(&factor, u);
-        }
-        if let Some(divisor) = &self.cell.pressure.divisor {
-            for (sum, &u) in apart.iter_mut().zip(u) {
-                *sum /= septic::value(divisor, u);
-            }
-        }
+        both
     }
 
     /// The root for a value of which the steps did not settle between the piece's ends.
@@ -206,6 +197,16 @@ impl<'a> Follower<'a> {
         let (at, _) = bracketed(f, from + 1.0, to + 1.0, (x > x_from) == positive, 1.0 + self.start.at(x));
         at - 1.0
     }
+}
+
+/// As [`septic::value`].
+#[inline(always)]
+fn wide_value<W: Wide>(w: W, powers: &Coefficients, u: W::V) -> W::V {
+    let mut sum = w.splat(powers[ORDER - 1]);
+    for i in (0..ORDER - 1).rev() {
+        sum = w.mul_add(sum, u, w.splat(powers[i]));
+    }
+    sum
 }
 
 fn derivative(powers: &Coefficients) -> Coefficients {

@@ -19,12 +19,13 @@ mod values;
 use super::equilibrium::weights;
 use super::{Balance, Equilibrium, Load, Ply, Stability, Twist};
 use crate::geometry::Contact;
+use crate::numerics::wide::{Job, Wide, dispatch_alike};
 use crate::{DomainError, Handedness};
-use cell::Cell;
-use chart::Chart;
+pub(super) use cell::{TERMS, judged, largest};
+pub(super) use chart::Chart;
 use follow::{Follower, Found};
 use line::Line;
-use piece::{Piece, Search};
+use piece::Search;
 use values::Values;
 
 /// The datum that varies along a row: each enters the balance (47) linearly.
@@ -166,9 +167,7 @@ impl Ply {
         } else {
             search.doubts.push(0..values.list.len());
         }
-        for piece in &search.pieces {
-            row.follow(&search, piece, &chart.cells[piece.cell], &lines[piece.line], &mut found);
-        }
+        dispatch_alike(Following { row: &row, search: &search, chart: &chart, lines: &lines, found: &mut found });
         for value in search.doubts.iter().cloned().flatten() {
             row.solve(value, values.list[value], &mut found);
         }
@@ -233,42 +232,6 @@ impl<'a> Row<'a> {
         Ok(())
     }
 
-    /// The states of one piece.
-    #[inline(always)]
-    fn follow(
-        &self,
-        search: &Search<'_>,
-        piece: &Piece,
-        cell: &Cell,
-        line: &Line,
-        found: &mut impl FnMut(usize, RowState),
-    ) {
-        let list = search.values.list;
-        let follower = Follower::new(piece, cell, line, search.values.largest());
-        let touching = self.ply.balance() == Balance::Contact;
-        let verdict = if piece.rises { Stability::Stable } else { Stability::Unstable };
-        let handedness = line.handedness;
-        search.undoubted(&piece.values, |values| {
-            follower.follow(list, values, |at: Found| {
-                let (helical_angle, pitch_angle) = cell.angles(at.u);
-                let mut state = RowState {
-                    handedness,
-                    helical_angle,
-                    pitch_angle,
-                    resultant_pressure: at.resultant_pressure,
-                    interstrand_pressure: at.interstrand_pressure,
-                    stability: (touching && at.interstrand_pressure > 0.0).then_some(verdict),
-                    fold: false,
-                };
-                if at.lost {
-                    let contact = Contact::at(self.ply.strands(), cell.place(at.u));
-                    state = RowState::from(&self.state(list[at.value], contact, false, handedness));
-                }
-                found(at.value, state);
-            });
-        });
-    }
-
     /// The states of a value in doubt, each root sought by itself.
     #[cold]
     fn solve(&self, value: usize, x: f64, found: &mut impl FnMut(usize, RowState)) {
@@ -286,5 +249,50 @@ impl<'a> Row<'a> {
     fn state(&self, x: f64, contact: Contact, fold: bool, handedness: Handedness) -> Equilibrium {
         let (gamma, twist, load) = self.data(x);
         Equilibrium { stiffness_ratio: gamma, ..self.ply.state(contact, fold, handedness, twist, load) }
+    }
+}
+
+/// All pieces of a row, which are followed with the widest registers there are.
+struct Following<'a, F> {
+    row: &'a Row<'a>,
+    search: &'a Search<'a>,
+    chart: &'a Chart,
+    lines: &'a [Line; 2],
+    found: &'a mut F,
+}
+
+impl<F: FnMut(usize, RowState)> Job for Following<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self, w: W) {
+        let Self { row, search, chart, lines, found } = self;
+        let list = search.values.list;
+        let touching = row.ply.balance() == Balance::Contact;
+        for piece in &search.pieces {
+            let (cell, line) = (&chart.cells[piece.cell], &lines[piece.line]);
+            let follower = Follower::new(piece, cell, line, search.values.largest());
+            let verdict = if piece.rises { Stability::Stable } else { Stability::Unstable };
+            let handedness = line.handedness;
+            for values in search.undoubted(&piece.values) {
+                follower.follow(w, list, values, |at: Found| {
+                    let (helical_angle, pitch_angle) = cell.angles(at.u);
+                    let mut state = RowState {
+                        handedness,
+                        helical_angle,
+                        pitch_angle,
+                        resultant_pressure: at.resultant_pressure,
+                        interstrand_pressure: at.interstrand_pressure,
+                        stability: (touching && at.interstrand_pressure > 0.0).then_some(verdict),
+                        fold: false,
+                    };
+                    if at.lost {
+                        let contact = Contact::at(row.ply.strands(), cell.place(at.u));
+                        state = RowState::from(&row.state(list[at.value], contact, false, handedness));
+                    }
+                    found(at.value, state);
+                });
+            }
+        }
     }
 }

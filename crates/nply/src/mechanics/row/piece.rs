@@ -149,21 +149,14 @@ impl<'a> Search<'a> {
     }
 
     /// The values of a piece that are in no doubt.
-    pub(super) fn undoubted(&self, values: &Range<usize>, mut follow: impl FnMut(Range<usize>)) {
-        let mut start = values.start;
-        for doubt in &self.doubts {
-            if doubt.start >= values.end {
-                break;
-            }
-            if doubt.end > start {
-                if doubt.start > start {
-                    follow(start..doubt.start);
-                }
-                start = doubt.end;
-            }
-        }
-        if start < values.end {
-            follow(start..values.end);
-        }
+    pub(super) fn undoubted(&self, values: &Range<usize>) -> impl Iterator<Item = Range<usize>> {
+        let (mut start, end) = (values.start, values.end);
+        // one more at the end, of nothing, lets the values behind the last doubt out
+        let doubts = self.doubts.iter().cloned().chain(core::iter::once(end..end));
+        doubts.filter_map(move |doubt| {
+            let before = start..doubt.start.min(end);
+            start = start.max(doubt.end);
+            (!before.is_empty()).then_some(before)
+        })
     }
 }
