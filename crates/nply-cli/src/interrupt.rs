@@ -21,6 +21,11 @@ pub(crate) fn prepare(arguments: &ArgMatches) {
         // fails only where threads stand already, and then so many are used
         let _ = rayon::ThreadPoolBuilder::new().num_threads(*jobs as usize).build_global();
     }
+    listen();
+}
+
+/// Listens for Ctrl-C.
+pub(crate) fn listen() {
     // where it cannot be caught, Ctrl-C ends the program as it does any other
     let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
 }

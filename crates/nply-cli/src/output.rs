@@ -5,9 +5,10 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::{Arg, ArgMatches};
-use nply_sheet::Report;
+use nply_sheet::{ErrorKind, Place, Report, SpecError};
 
 use crate::failure::Failure;
+use crate::interrupt;
 
 /// How the answer is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,8 +62,13 @@ pub(crate) fn zoom() -> Arg {
     Arg::new("zoom")
         .long("zoom")
         .value_name("NUMBER")
-        .value_parser(clap::value_parser!(f64))
-        .help("Pixels of a PNG to one of the SVG (2)")
+        .value_parser(magnification)
+        .help("Pixels of a PNG to one of the SVG, 0.1 to 20 (2)")
+}
+
+fn magnification(text: &str) -> Result<f64, String> {
+    let zoom: f64 = text.parse().map_err(|_| "what is wanted is a number, such as 2".to_owned())?;
+    if (0.1..=20.0).contains(&zoom) { Ok(zoom) } else { Err("pictures are drawn 0.1 to 20 times as large".to_owned()) }
 }
 
 pub(crate) fn zoom_of(arguments: &ArgMatches) -> f64 {
@@ -77,7 +83,18 @@ pub(crate) fn terminal() -> (usize, usize) {
 
 /// Writes a picture: PNG if the name ends in .png, else SVG.
 pub(crate) fn picture(path: &str, svg: &str, arguments: &ArgMatches) -> Result<(), Failure> {
-    let is_png = Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    let ending = Path::new(path).extension();
+    let is = |known: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(known));
+    if ending.is_some() && !is("png") && !is("svg") {
+        let flag = if matches!(arguments.try_contains_id("plot"), Ok(true)) { "plot" } else { "output" };
+        let message =
+            format!("pictures are SVG or PNG, by the end of the file's name: {} is neither", shown(Path::new(path)));
+        return Err(Failure::Refused(
+            SpecError::new(ErrorKind::WrongType, Place::Flag(flag.to_owned()), message),
+            String::new(),
+        ));
+    }
+    let is_png = is("png");
     let pixels = is_png.then(|| nply_sheet::plot::png(svg, zoom_of(arguments))).transpose();
     let pixels = pixels
         .map_err(|error| Failure::File { what: format!("cannot draw {path}"), error: io::Error::other(error) })?;
@@ -127,8 +144,14 @@ impl Draft {
         Ok(Self { file: Some(BufWriter::new(file.map_err(cannot)?)), draft, path })
     }
 
+    /// In pieces, so that Ctrl-C ends it between two of them.
     pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        io::Write::write_all(self, bytes).map_err(|error| self.cannot(error))
+        const PIECE: usize = 1 << 20;
+        for piece in bytes.chunks(PIECE) {
+            interrupt::check()?;
+            io::Write::write_all(self, piece).map_err(|error| self.cannot(error))?;
+        }
+        Ok(())
     }
 
     /// Gives the file its name.

@@ -22,7 +22,7 @@ Examples:
   nply actuator --strands 3 --diameter \"1 mm\" --strand-length \"0.5 m\" --force \"20 N\" --motor-turns 50 --steps 25 --format csv";
 
 /// More are no table.
-const MOST_STEPS: i64 = 1_000_000;
+const MOST_STEPS: i64 = 100_000;
 
 pub(super) const VERB: Verb = Verb {
     name: "actuator",

@@ -16,6 +16,7 @@ use super::Verb;
 use crate::arguments::{count, with_keys};
 use crate::failure::Failure;
 use crate::input::{self, Described, Input};
+use crate::interrupt;
 use crate::output::{self, Draft};
 
 const LONG: &str = "\
@@ -238,6 +239,7 @@ pub(super) fn deliver(arguments: &ArgMatches, bytes: &[u8], binary: bool, summar
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
+    interrupt::listen();
     let input = input::read_described(arguments)?;
     let (bytes, binary, summary) = made(arguments, &input).map_err(|error| input.refused(error))?;
     deliver(arguments, &bytes, binary, &summary)

@@ -9,6 +9,7 @@ use crate::{Datum, ErrorKind, SpecError, Table};
 impl Case {
     /// As [`Case::of`], with no loads; where twist and lay are both given, the moment that holds them is asked for.
     pub(crate) fn of_plying(spec: &Spec) -> Result<Self, SpecError> {
+        super::stretch::refuse(spec, "plies that are spun")?;
         let tables = [Table::Load, Table::Ends, Table::Support];
         if let Some(entry) = spec.entries.iter().find(|entry| tables.contains(&entry.key.table)) {
             let message = format!("{}: a ply that is spun is let go and bears no load: remove it", entry.said());

@@ -38,6 +38,18 @@ pub(super) fn none(spec: &Spec) -> Result<(), SpecError> {
     Err(entry.error(ErrorKind::Contradiction, message))
 }
 
+/// Refuses strands that stretch, and what only they have, where a question knows none.
+pub(super) fn refuse(spec: &Spec, whose: &str) -> Result<(), SpecError> {
+    if let (true, Some(entry)) = (spec.stretches(), spec.get(Datum::Stretch)) {
+        let message = format!(
+            "{}: {whose} do not stretch here; `nply support` and `nply trace` know strands that do: remove it",
+            entry.said()
+        );
+        return Err(entry.error(ErrorKind::Contradiction, message));
+    }
+    none(spec)
+}
+
 /// A ply of strands that stretch.
 pub(super) fn of(
     measure: &Measure<'_>,
@@ -49,6 +61,16 @@ pub(super) fn of(
     let (nu, nu_entry) = thinning(spec)?;
     let (alpha, entry) = axial(measure)?;
     let head = |refused: DomainError| SpecError::new(ErrorKind::Domain, spec.head(), refused.to_string());
+    // stiffer, strains are lost in rounding, and loads that follow from them with it
+    const STIFFEST: f64 = 1e8;
+    if alpha > STIFFEST {
+        let message = format!(
+            "{} makes EA r^2/B = {alpha:e}, against which a strain is rounding: at most {STIFFEST:e} is taken (a solid round strand has 4); strands \
+             that hardly stretch are those without `stretch`",
+            entry.said()
+        );
+        return Err(entry.error(ErrorKind::Domain, message));
+    }
     let strand = StretchingStrand::new(stiffness_ratio, alpha, nu).map_err(|refused| match refused.quantity {
         "poissons_ratio" => ratio_refused(nu_entry.unwrap_or(entry)),
         _ => entry.error(ErrorKind::Domain, format!("{}: {refused}", entry.said())),

@@ -60,6 +60,7 @@ pub struct StringStiffness {
 
 impl Strings {
     pub(crate) fn of(spec: &Spec) -> Result<Self, SpecError> {
+        super::stretch::refuse(spec, "strings on a motor")?;
         let spec = relative::resolved(spec)?;
         let spec = spec.as_ref();
         refuse_others(spec)?;

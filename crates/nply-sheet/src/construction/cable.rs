@@ -185,8 +185,13 @@ impl ConstructionSpec {
             "turning" => Datum::CableTurning,
             _ => Datum::CableForce,
         };
-        let entry = self
-            .head(datum)
+        // of several loads that together are too much, the one that was laid over the file
+        let loads = [Datum::CableForce, Datum::CableMoment, Datum::CableTurning];
+        let over = self.head.iter().filter(|entry| loads.contains(&entry.key.datum));
+        let mut over = over.filter(|entry| matches!(entry.place, crate::Place::Flag(_)));
+        let entry = over
+            .next()
+            .or_else(|| self.head(datum))
             .or_else(|| self.head(Datum::CableForce))
             .or_else(|| self.head.iter().find(|e| e.key.group == Some(Group::Ends)));
         let message = format!("it must be {}", error.allowed);

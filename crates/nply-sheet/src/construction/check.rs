@@ -330,8 +330,10 @@ fn one_of_each(entries: &[Entry]) -> Result<(), SpecError> {
             let what = match entry.key.group {
                 Some(Group::CoreSize) => "the size",
                 Some(Group::LayerLay) => "the lay",
+                Some(Group::Ends) => "how the ends are held,",
                 _ => "the density",
             };
+            let whose = if entry.key.group == Some(Group::Ends) { "by moment or by turns" } else { whose };
             let message = format!("{} and {} both give {what} {whose}: give one of them", first.said(), entry.said());
             return Err(entry.error(ErrorKind::Contradiction, message));
         }

@@ -282,7 +282,7 @@ impl StartGeometry {
             if self.by_length { " at the lay length given" } else { "" },
         );
         let name = if unit.name == "r" { "strand radii" } else { &unit.name };
-        for (_, label, value, is_length) in self.items() {
+        for (_, label, value, is_length) in self.items().into_iter().filter(|item| item.2.is_finite()) {
             // what is nothing but rounding is nothing
             let value = if value.abs() < 1e-12 { 0.0 } else { value };
             let (value, name) = if is_length { (value * unit.per_radius, name) } else { (value, "") };

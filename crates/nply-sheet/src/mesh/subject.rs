@@ -139,6 +139,10 @@ impl Subject {
 
     fn of_case(spec: &Spec, case: Case, state: Option<usize>) -> Result<Self, SpecError> {
         let solution = case.solve().map_err(|error| case.locate(&error))?;
+        if solution.stretched.is_some() {
+            let message = "shapes are those of strands that do not stretch: remove `stretch` (`nply support` gives lay and radius of those that do)";
+            return Err(SpecError::new(ErrorKind::Contradiction, spec.place_of_stretch(), message));
+        }
         let count = solution.supported.as_ref().map_or(solution.states.len(), |supported| supported.states.len());
         if count == 0 {
             let message = "no state is in equilibrium with these data: there is no shape to show";

@@ -225,10 +225,12 @@ impl StringsReport {
             "" => item.name.to_owned(),
             unit => format!("{}_{}", item.name, unit_suffix(unit)),
         };
-        let mut out = self.columns().map(name).collect::<Vec<_>>().join(",") + "\n";
+        // what stands in the table is looked up once
+        let columns: Vec<&Item<Step>> = self.columns().collect();
+        let mut out = columns.iter().map(|item| name(item)).collect::<Vec<_>>().join(",") + "\n";
         for step in &self.steps {
             let cell = |item: &Item<Step>| self.si(item, step).map_or_else(String::new, |value| format!("{value:?}"));
-            out += &(self.columns().map(cell).collect::<Vec<_>>().join(",") + "\n");
+            out += &(columns.iter().map(|item| cell(item)).collect::<Vec<_>>().join(",") + "\n");
         }
         out
     }
@@ -261,9 +263,10 @@ impl StringsReport {
             .filter_map(|item| Some((item.name.to_owned(), json!(item.measure.si(self.known)?.1))))
             .collect();
         top.insert("si_units".into(), Value::Object(units));
+        let columns: Vec<&Item<Step>> = self.columns().collect();
         let step = |step: &Step| {
             let mut object: Map<String, Value> =
-                self.columns().map(|item| (item.name.to_owned(), json!(self.si(item, step)))).collect();
+                columns.iter().map(|item| (item.name.to_owned(), json!(self.si(item, step)))).collect();
             if let Some(stiff) = step.stiff {
                 object.insert("separated".into(), json!(stiff.separated));
             }

@@ -261,6 +261,11 @@ impl Spec {
         crate::Strings::of(self)
     }
 
+    /// Where it is said that strands are to stretch.
+    pub(crate) fn place_of_stretch(&self) -> Place {
+        self.get(Datum::Stretch).map_or_else(|| self.head(), |entry| entry.place.clone())
+    }
+
     /// Whether strands are to stretch.
     pub(crate) fn stretches(&self) -> bool {
         self.get(Datum::Stretch).is_some_and(|entry| entry.value == Value::Switch(true))

@@ -101,6 +101,22 @@ proptest! {
         prop_assert!((slope - pressed).abs() < 1e-4 * (pressed.abs() + 1e-2 * state.force().abs()), "{slope} {pressed}");
     }
 
+    /// The loads of any state, given again, lead back to it.
+    #[test]
+    fn loads_lead_back((core, layers) in any_cable(), pull in -0.0005..0.003, turning in -0.002..0.002) {
+        let Some(cable) = made(core, &layers) else { return Ok(()) };
+        let Ok(state) = cable.loaded(clamped(pull, turning)) else { return Ok(()) };
+        let Ok(laid) = cable.laid() else { return Ok(()) };
+        let regime = |s: &CableState| s.layers().iter().map(|l| l.support).collect::<Vec<_>>();
+        prop_assume!(state.stiffness().is_some() && regime(&state) == regime(&laid));
+        let again = cable.loaded(CableGrips::Loads { force: state.force(), moment: state.moment() });
+        // where contacts change there may be a second state under the same loads
+        let Ok(again) = again else { return Err(TestCaseError::fail("no state found under its own loads")) };
+        if regime(&again) == regime(&state) {
+            prop_assert!((again.strain() - pull).abs() < 1e-9 && (again.turning() - turning).abs() < 1e-9);
+        }
+    }
+
     /// The mirror image of a cable: the same but for the sign of coupling and moment.
     #[test]
     fn mirror_images((core, layers) in any_cable(), strain in 0.0..0.01) {

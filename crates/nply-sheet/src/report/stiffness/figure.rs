@@ -72,7 +72,7 @@ pub(super) static OF_CABLE: [Figure<CableState>; 20] = [
     figure(SMALL, "torsional_stiffness", "GJ, length held", STIFFNESS, |s| Some(s.stiffness()?.torsional)),
     figure(SMALL, "torsional_stiffness_free", "GJ, length free to change", STIFFNESS, |s| Some(s.stiffness()?.torsional_free())),
     figure(SMALL, "coupling", "coupling: moment per strain, force per turning", MOMENT, |s| Some(s.stiffness()?.coupling)),
-    figure(SMALL, "torque_factor", "torque factor: moment/(force × outer diameter)", Sort::Number, |s| s.stiffness().map(|_| s.torque_factor())),
+    figure(SMALL, "torque_factor", "torque factor: change of moment/(of force × outer diameter)", Sort::Number, |s| s.stiffness().map(|_| s.torque_factor())),
     figure(SMALL, "unlay", "turning per force, ends free to turn", Sort::Unlay, |s| Some(s.stiffness()?.rotation_by_force())),
     figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, |s| Some(s.contraction())),
     figure(SMALL, "bending_stiffness_sliding", "bending stiffness, wires sliding freely", STIFFNESS, |s| Some(s.cable().sliding_bending_stiffness())),

@@ -156,6 +156,9 @@ impl Tube {
             }
             mesh.deviation = self.deviation(facets, Placing { share, ..placing })?;
         }
+        // facets so few that the body is turned inside out
+        let coarse = "many enough to make a body: more round and along, or a chord error";
+        DomainError::check(mesh.volume() > 0.0, "facets", f64::from(facets.along), coarse)?;
         Ok(mesh)
     }
 

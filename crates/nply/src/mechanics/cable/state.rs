@@ -75,6 +75,30 @@ pub struct LayerState {
     pub neighbour_hertz_pressure: Option<f64>,
 }
 
+/// Why no state is found under given loads.
+enum Lost {
+    /// None near the lay as made.
+    Nowhere,
+    /// Where a layer comes to lie on its neighbours as well as on what is below, the loads step from one value to another at the same strain
+    /// and turning; between the two both carry.
+    Shared,
+}
+
+impl Lost {
+    fn said(&self, value: f64) -> DomainError {
+        let allowed = match self {
+            Self::Nowhere => {
+                "such that a state near the lay as made holds it: strains between -1/2 and 1, no layer unlaid"
+            }
+            Self::Shared => {
+                "outside the loads under which a layer lies on what is below and on its neighbours at once, where both share \
+                 them in a proportion that is not worked out here: a little more or less of force or moment is answered"
+            }
+        };
+        DomainError { quantity: "force", value, allowed }
+    }
+}
+
 /// A cable at a strain and a turning of its axis, with the loads that hold it there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CableState {
@@ -124,22 +148,18 @@ impl Cable {
     /// ```
     pub fn loaded(&self, grips: CableGrips) -> Result<CableState, DomainError> {
         let finite = |name, value: f64| DomainError::check(value.is_finite(), name, value, "finite");
-        let lost = |value| DomainError {
-            quantity: "force",
-            value,
-            allowed: "such that a state near the lay as made holds it: strains between -1/2 and 1, no layer unlaid",
-        };
         match grips {
             CableGrips::Clamped { strain, turning } => {
                 finite("turning", turning)?;
                 DomainError::check(strain > -0.5 && strain < 1.0, "strain", strain, "between -1/2 and 1")?;
-                self.at(strain, turning).ok_or_else(|| DomainError { quantity: "turning", ..lost(turning) })
+                self.at(strain, turning)
+                    .ok_or_else(|| DomainError { quantity: "turning", ..Lost::Nowhere.said(turning) })
             }
             CableGrips::Turned { force, turning } => {
                 finite("force", force)?;
                 finite("turning", turning)?;
                 self.sought(turning, |k| [(force - k.force()) / k.unchecked_stiffness().axial, 0.0])
-                    .ok_or_else(|| lost(force))
+                    .map_err(|why| why.said(force))
             }
             CableGrips::Loads { force, moment } => {
                 finite("force", force)?;
@@ -150,19 +170,23 @@ impl Cable {
                     let determinant = axial * torsional - coupling * coupling;
                     [(torsional * df - coupling * dm) / determinant, (axial * dm - coupling * df) / determinant]
                 };
-                self.sought(0.0, newton).ok_or_else(|| lost(force))
+                self.sought(0.0, newton).map_err(|why| why.said(force))
             }
         }
     }
 
     /// Newton's iteration from the lay as made, its steps shortened where they would unlay a layer.
-    fn sought(&self, turning: f64, newton: impl Fn(&CableState) -> [f64; 2]) -> Option<CableState> {
-        let mut here = self.at(0.0, turning)?;
+    fn sought(&self, turning: f64, newton: impl Fn(&CableState) -> [f64; 2]) -> Result<CableState, Lost> {
+        let regime = |state: &CableState| state.layers.iter().map(|layer| layer.support).collect::<Vec<_>>();
+        let mut here = self.at(0.0, turning).ok_or(Lost::Nowhere)?;
+        // whether contacts still changed in the last steps
+        let mut changing: i32 = 0;
         let least = self.layers.iter().map(|laid| laid.angle.tan() / laid.radius).fold(f64::INFINITY, f64::min);
+        let mut last = f64::INFINITY;
         for _ in 0..200 {
             let [de, dw] = newton(&here);
             if !(de.is_finite() && dw.is_finite()) {
-                return None;
+                return Err(Lost::Nowhere);
             }
             let mut share = (0.1 / de.abs()).min(0.3 * least / dw.abs()).min(1.0);
             let next = loop {
@@ -170,18 +194,20 @@ impl Cable {
                 match there {
                     Some(next) if next.strain > -0.5 && next.strain < 1.0 => break next,
                     _ if share > 1e-6 => share *= 0.5,
-                    _ => return None,
+                    _ => return Err(Lost::Nowhere),
                 }
             };
-            let small = |d: f64, unit: f64| d.abs() <= 1e-13 * unit;
-            let done =
-                share >= 1.0 && small(de, 1e-3 + here.strain.abs()) && small(dw, least * 1e-3 + here.turning.abs());
+            // Newton's steps shrink by squares until rounding is all that is left of them
+            let size = de.abs().max(dw.abs() / least);
+            let done = share >= 1.0 && (size <= 1e-16 || size <= 1e-9 && size >= 0.25 * last);
+            changing = if regime(&next) == regime(&here) { (changing - 1).max(0) } else { 8 };
             here = next;
+            last = size;
             if done {
-                return Some(here);
+                return Ok(here);
             }
         }
-        None
+        Err(if changing > 0 { Lost::Shared } else { Lost::Nowhere })
     }
 
     /// The state at a strain and a turning; `None` where a layer is unlaid.
