@@ -4,6 +4,7 @@ mod clearance;
 mod column;
 mod csv;
 mod curve;
+mod figured;
 mod fit;
 mod item;
 mod json;

@@ -6,6 +6,7 @@ use super::mass;
 use core::f64::consts::PI;
 
 use crate::construction::{Construction, Fit, GivenLayer};
+use crate::report::figured::figure;
 
 /// A layer as laid, and what was said of it.
 pub(super) struct OfLayer {
@@ -23,24 +24,8 @@ pub(super) enum Sort {
     LinearDensity,
 }
 
-/// One reported number: heading, name in JSON and CSV, words, sort, value in SI or bare.
-pub(super) struct Figure<T> {
-    pub(super) heading: &'static str,
-    pub(super) name: &'static str,
-    pub(super) label: &'static str,
-    pub(super) sort: Sort,
-    pub(super) value: fn(&T) -> Option<f64>,
-}
-
-const fn figure<T>(
-    heading: &'static str,
-    name: &'static str,
-    label: &'static str,
-    sort: Sort,
-    value: fn(&T) -> Option<f64>,
-) -> Figure<T> {
-    Figure { heading, name, label, sort, value }
-}
+/// One reported number.
+pub(super) type Figure<T> = crate::report::figured::Figure<T, Sort>;
 
 const LAID: &str = "As laid on the core";
 const TOUCH: &str = "Just touching at this lay length";

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use nply::mechanics::{CableState, LayerState};
 
 use crate::Dimension;
+use crate::report::figured::figure;
 
 /// What sort of number it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,24 +20,8 @@ pub(super) enum Sort {
     Unlay,
 }
 
-/// One reported number: heading, name in JSON and CSV, words, sort, value in SI or bare.
-pub(super) struct Figure<T> {
-    pub(super) heading: &'static str,
-    pub(super) name: &'static str,
-    pub(super) label: &'static str,
-    pub(super) sort: Sort,
-    pub(super) value: fn(&T) -> Option<f64>,
-}
-
-const fn figure<T>(
-    heading: &'static str,
-    name: &'static str,
-    label: &'static str,
-    sort: Sort,
-    value: fn(&T) -> Option<f64>,
-) -> Figure<T> {
-    Figure { heading, name, label, sort, value }
-}
+/// One reported number.
+pub(super) type Figure<T> = crate::report::figured::Figure<T, Sort>;
 
 /// One rod of the cable: its core, or a wire of a layer.
 pub(super) struct Member {
