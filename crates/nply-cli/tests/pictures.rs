@@ -102,3 +102,29 @@ fn what_is_not_understood_is_said() {
     assert_eq!(call(&["plot", YARN, "--ask", "helical_angle"]).code, 2);
     assert_eq!(call(&["plot", YARN, "--sweep", "pretwist=0..1", "--ask", "helical_angle", "--strands", "x"]).code, 2);
 }
+
+/// What a picture could only leave out is refused: ranges below 0 on an axis of ratios, endings that no picture has, sizes that cannot be drawn.
+#[test]
+fn what_would_be_left_out_is_refused() {
+    let plot = |more: &[&str]| {
+        let ply = ["plot", "--strands", "3", "--stiffness-ratio", "0.75", "--pretwist", "-1", "--ask", "helical_angle"];
+        command::call(&[&ply[..], more].concat())
+    };
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let named = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
+    for (more, code, said) in [
+        (vec!["--sweep".to_owned(), "force=-3..3".into(), "--log-x".into()], 1, "above 0"),
+        (vec!["--sweep".into(), "force=0..3".into(), "--output".into(), named("p.pdf")], 2, "SVG or PNG"),
+        (
+            vec!["--sweep".into(), "force=0..3".into(), "--zoom".into(), "0".into(), "--output".into(), named("p.png")],
+            2,
+            "0.1 to 20",
+        ),
+    ] {
+        let more: Vec<&str> = more.iter().map(String::as_str).collect();
+        let answer = plot(&more);
+        assert_eq!(answer.code, code, "{more:?}: {}", answer.err);
+        assert!(answer.err.contains(said), "{more:?}: {}", answer.err);
+    }
+    assert!(!folder.join("p.pdf").exists() && !folder.join("p.png").exists());
+}

@@ -96,6 +96,12 @@ impl Spec {
             return Err(refused(ErrorKind::Missing, "ask", message));
         }
         let against = flags.against.as_deref().map(|name| ask::column(name, "against")).transpose()?;
+        let ends = || [&from, &to].into_iter().flat_map(|corner| &corner.entries);
+        if flags.scales.log_x && against.is_none() && ends().any(|end| end.number() <= 0.0) {
+            let message =
+                "equal lengths for equal ratios have no place for 0 and what is below: let the range lie above 0";
+            return Err(refused(ErrorKind::Domain, "log-x", message));
+        }
         let mut plies: Vec<Self> = vec![self.clone()];
         let mut vary = |flag: &str, values: Vec<String>| -> Result<(), SpecError> {
             if values.is_empty() {
