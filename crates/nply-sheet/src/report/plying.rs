@@ -307,6 +307,14 @@ fn notes(case: &Case, plies: &[Plied], rules: &[(Balance, HelicalAngle, HelicalA
         angles.join(" and "),
         off.unwrap_or_default()
     ));
+    let pulled: Vec<&str> = plies
+        .iter()
+        .filter(|plied| plied.state.interstrand_pressure() < 0.0)
+        .map(|plied| if plied.name == "two_thirds" { "two thirds" } else { plied.name })
+        .collect();
+    if !pulled.is_empty() {
+        notes.push(format!("Neighbours would have to pull on each other (p₁ < 0) in: {}.", pulled.join(", ")));
+    }
     if let Some(given) = plies.iter().find(|plied| plied.name == "given")
         && let Some(balanced) = find(given.balance, "balanced")
     {
