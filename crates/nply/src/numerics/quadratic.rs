@@ -10,6 +10,20 @@ fn dot(a: &Vector3, b: &Vector3) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
+/// What of a row others leave, over its length, below which rounding may have made it all.
+const DEPENDENT: f64 = 1e-12;
+
+/// What is left of a row square to unit vectors. Twice is enough for round-off.
+fn square_to(units: &[Vector3], row: Vector3) -> Vector3 {
+    let once = |row: Vector3| {
+        units.iter().fold(row, |rest, unit| {
+            let share = dot(&rest, unit);
+            core::array::from_fn(|i| rest[i] - share * unit[i])
+        })
+    };
+    once(once(row))
+}
+
 /// The form between directions that constraints leave free.
 #[derive(Clone, Debug)]
 pub(crate) struct Restricted {
@@ -25,24 +39,12 @@ impl Restricted {
     /// A form where the rows vanish. Rows that depend on others count once.
     pub(crate) fn new(form: &Matrix3, rows: &[Vector3]) -> Self {
         let mut taken: Vec<Vector3> = Vec::new();
-        let mut add = |row: &Vector3, least: f64| {
-            let (mut rest, length) = (*row, libm::sqrt(dot(row, row)));
-            // twice is enough for round-off
-            for _ in 0..2 {
-                for unit in &taken {
-                    let share = dot(&rest, unit);
-                    rest = core::array::from_fn(|i| rest[i] - share * unit[i]);
-                }
-            }
-            let left = libm::sqrt(dot(&rest, &rest));
-            let kept = left > least * length && left > 0.0;
-            if kept {
+        for row in rows {
+            let rest = square_to(&taken, *row);
+            let (left, length) = (libm::sqrt(dot(&rest, &rest)), libm::sqrt(dot(row, row)));
+            if left > DEPENDENT * length {
                 taken.push(rest.map(|x| x / left));
             }
-            kept
-        };
-        for row in rows {
-            add(row, 1e-12);
         }
         let held = taken.len();
         // of the axes those complete the basis that stand out most
@@ -51,13 +53,7 @@ impl Restricted {
             let axis = (0..3).max_by(|&i, &j| gap(i).total_cmp(&gap(j))).unwrap_or(0);
             let mut row = [0.0; 3];
             row[axis] = 1.0;
-            let mut rest = row;
-            for _ in 0..2 {
-                for unit in &taken {
-                    let share = dot(&rest, unit);
-                    rest = core::array::from_fn(|i| rest[i] - share * unit[i]);
-                }
-            }
+            let rest = square_to(&taken, row);
             let length = libm::sqrt(dot(&rest, &rest));
             taken.push(rest.map(|x| x / length));
         }
