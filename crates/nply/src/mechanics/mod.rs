@@ -41,8 +41,8 @@ pub use energy::Energy;
 pub use equilibrium::Equilibrium;
 pub use extensible::{
     Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchData, StretchEnergy,
-    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, Turning, WireStress,
-    WorkingCore,
+    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, TouchingLoads, Turning,
+    WireStress, WorkingCore,
 };
 pub use ledger::Link;
 pub use load::Load;
