@@ -111,10 +111,7 @@ impl Observable {
     /// Whether its sign is the hand's.
     #[must_use]
     pub const fn is_signed(self) -> bool {
-        matches!(
-            self,
-            Self::PlyRotation | Self::PlyTurns | Self::PlyTurnsPerStrandLength | Self::PlyTurnsPerLength
-        )
+        matches!(self, Self::PlyRotation | Self::PlyTurns | Self::PlyTurnsPerStrandLength | Self::PlyTurnsPerLength)
     }
 
     /// Whether it is a load at the ends and not a shape.

@@ -124,7 +124,8 @@ impl Row {
                 }
                 share *= 0.5;
             }
-            let small = |size: f64| step[0].abs() <= size && step[1].abs() <= size * (1.0 + spot.place[1].abs());
+            let second = 1.0 + spot.place[1].abs();
+            let small = |size: f64| step[0].abs() <= size && step[1].abs() <= size * second;
             match moved {
                 Some((next, there)) => {
                     spot = next;

@@ -69,6 +69,13 @@ impl Model {
         Ok(self)
     }
 
+    /// The same with strands that stretch as solid round ones do: EA follows from B and r, EA r²/B = 4.
+    #[must_use]
+    pub fn solid(mut self) -> Self {
+        self.forms[Slot::Axial as usize] = Some(Parameter::YoungsModulus);
+        self
+    }
+
     /// n.
     #[must_use]
     pub const fn strands(&self) -> u32 {
@@ -153,7 +160,10 @@ impl Model {
             None => (self.forms[Slot::Twist as usize].unwrap_or(Parameter::Pretwist), slot(Slot::Twist)),
         };
         let twist = if form == Parameter::Pretwist { given } else { given * radius };
-        let axial = slot(Slot::Axial).exp();
+        let axial = match self.forms[Slot::Axial as usize] {
+            Some(Parameter::YoungsModulus) => 4.0 * (bending * (radius * radius).recip()),
+            _ => slot(Slot::Axial).exp(),
+        };
         Strand { radius, bending, ratio, twist, held_in_strand: form == Parameter::StrandTwist, axial }
     }
 }
@@ -263,7 +273,13 @@ impl Model {
             let held = self.stretched(strand, angle, spot)?;
             let alpha = self.axial(strand);
             let parts = |slopes: [f64; 5]| {
-                [(slopes[0], theta), (slopes[1], second), (slopes[2], strand.ratio), (slopes[3], strand.twist), (slopes[4], alpha)]
+                [
+                    (slopes[0], theta),
+                    (slopes[1], second),
+                    (slopes[2], strand.ratio),
+                    (slopes[3], strand.twist),
+                    (slopes[4], alpha),
+                ]
             };
             (
                 Sensed::of(held.load.force, parts(held.force_slopes)),
@@ -343,7 +359,14 @@ impl Model {
     }
 
     /// A spot with the given hand, angle and loads, its second coordinate chosen so that the other load follows well.
-    pub(super) fn spot(&self, strand: &Strand, hand: Handedness, t: f64, [force, moment]: [Option<f64>; 2], steep: bool) -> Spot {
+    pub(super) fn spot(
+        &self,
+        strand: &Strand,
+        hand: Handedness,
+        t: f64,
+        [force, moment]: [Option<f64>; 2],
+        steep: bool,
+    ) -> Spot {
         let (second, value) = match (force, moment) {
             _ if self.stretches() => {
                 let c = angle_of(t).map_or(1.0, |angle| angle.cos());
