@@ -79,7 +79,7 @@ impl Case {
         let gamma = alone.stiffness_ratio();
         let (f, m) = (alone.load().force.abs(), alone.load().moment.abs());
         let size = n + n * gamma * (1.0 + rho * alone.pretwist().abs()) + rho * rho * f + rho * m;
-        let moved = 4.0 * f64::EPSILON * size / alone.balance_slope().abs();
+        let moved = 16.0 * f64::EPSILON * size / alone.balance_slope().abs();
         let (angle, pitch) = (contact.helical_angle(), contact.pitch_angle());
         let allowed = if alone.is_fold() { 1e-6 } else { 1e-12 * angle.min(pitch) + moved.min(1e-6) };
         let off = if angle < pitch { row.helical_angle - angle } else { pitch - row.pitch_angle };
