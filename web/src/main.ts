@@ -38,6 +38,7 @@ let scene: Scene | null = null
 let figures: readonly Figure[] = []
 let panel: Panel | null = null
 let hello: Hello | null = null
+let numbersShown: () => void = () => {}
 /** The state to which the answer belongs. */
 let answered: State | null = null
 
@@ -63,7 +64,7 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
     refusal = got.error
     showPanel()
     byId('numbers').classList.add('stale')
-    document.body.dataset['ready'] = 'yes'
+    ready()
     return
   }
   refusal = null
@@ -77,10 +78,16 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   if (got.walk && told) tell(got.walk, got.report, state.look.reading)
   byId('numbers').classList.remove('stale')
   redraw()
-  document.body.dataset['ready'] = 'yes'
   document.body.dataset['took'] = got.took.toFixed(2)
+  ready()
   wantCurves(state)
 })
+
+/** The first numbers, or the first refusal, are on show. */
+function ready(): void {
+  document.body.dataset['ready'] = 'yes'
+  numbersShown()
+}
 
 const askCurves = latest<{ asked: CurvesAsked; key: string }>(async ({ asked, key }) => {
   curves = await solver.ask('curves', asked)
@@ -125,7 +132,8 @@ function redraw(): void {
   if (!answer || !shape) return
   const { report, number } = answer
   const ply = report.states[number]
-  byId('title').textContent = report.title ?? ''
+  byId('title').textContent = report.title ?? `${report.strands} strands`
+  document.title = `nply: ${report.title ?? `${report.strands} strands`}`
   byId('version').textContent = `nply ${report.version}.`
   showStates(report, number, (at) => choose(at))
   showNumbers(ply, state.look.reading)
@@ -319,9 +327,11 @@ async function begun(): Promise<void> {
     shape: drawShape,
     set: (data, at, of) => change({ ...history.now, data, at }, of),
     say: (sentence) => say(sentence, 'strong'),
+    cover: (left) => scene?.aside(left),
   })
   listen(story)
   solve({ state: history.now, of: 'history' })
+  const first = new Promise<void>((resolve) => (numbersShown = resolve))
   const take = takeAway({
     solver,
     data: () => history.now.data,
@@ -333,6 +343,7 @@ async function begun(): Promise<void> {
   byId('take').addEventListener('click', take)
   takeDrops((name, text) => void open(name, text))
   // numbers first; what is heavier comes after them
+  await first
   await Promise.all([withScene(), withFigures()])
 }
 
@@ -359,10 +370,10 @@ async function withFigures(): Promise<void> {
     change(state, 'along')
     wantCurves(state)
   }
-  const load = (force: number, moment: number, moving: boolean): void => {
+  const load = (force: number, moment: number, of: string): void => {
     if (!answer) return
     const state = loaded(history.now, force, moment, answer.report.states[answer.number], answer.report)
-    change({ ...state, at: answered?.at ?? state.at }, moving ? 'load' : 'load')
+    change({ ...state, at: answered?.at ?? state.at }, of)
   }
   figures = [plane({ load }), kinds.angle, kinds.pressures(along), kinds.pull, kinds.turn, kinds.contact].map((kind) => new Figure(kind))
   byId('figures').replaceChildren(...figures.map((figure) => figure.element))

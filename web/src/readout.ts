@@ -118,6 +118,6 @@ export function showBalances(solved: Solved, state: PlyState | undefined): void 
     el('p', {},
       el('b', {}, mine === 'contact' ? 'Contact balance ' : 'Radial balance '), angle(here), ' · ',
       el('b', {}, `${name} `), other === undefined ? 'has no such state' : angle(other),
-      difference === null ? null : el('span', { className: 'difference' }, ` · difference ${difference > 0 ? '+' : '−'}${digits(Math.abs(difference), 3)}°`)),
+      difference === null ? null : el('span', { className: 'difference' }, Math.abs(difference) < 1e-9 ? ' · no difference' : ` · difference ${difference > 0 ? '+' : '−'}${digits(Math.abs(difference), 3)}°`)),
   )
 }

@@ -15,13 +15,49 @@ interface Locus {
 }
 
 export interface PlaneEvents {
-  readonly load: (force: number, moment: number, moving: boolean) => void
+  /** `of` names the drag, so that it is undone as a whole. */
+  readonly load: (force: number, moment: number, of: string) => void
 }
 
 export function plane(events: PlaneEvents): FigureKind {
   /** While a load is held the plane keeps still. */
   let held: { force: Window; moment: Window } | null = null
   let dragging = false
+  let drag = ''
+  let drags = 0
+  let here: { place: HTMLElement; forces: Window; moments: Window; at: (event: PointerEvent) => [number, number] } | null = null
+  const listening = new WeakSet<HTMLElement>()
+
+  /** Before the picture's own hover values hear of it. */
+  const listen = (place: HTMLElement): void => {
+    if (listening.has(place)) return
+    listening.add(place)
+    const end = (event: PointerEvent): void => {
+      if (!dragging || !here) return
+      const there = here.at(event)
+      dragging = false
+      held = null
+      events.load(...there, drag)
+    }
+    place.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0 || !here) return
+      event.preventDefault()
+      event.stopPropagation()
+      place.focus({ preventScroll: true })
+      place.setPointerCapture(event.pointerId)
+      held = { force: here.forces, moment: here.moments }
+      dragging = true
+      drag = `drag ${++drags}`
+      events.load(...here.at(event), drag)
+    }, true)
+    place.addEventListener('pointermove', (event) => {
+      if (!dragging || !here) return
+      event.stopPropagation()
+      events.load(...here.at(event), drag)
+    }, true)
+    place.addEventListener('pointerup', end, true)
+    place.addEventListener('pointercancel', end, true)
+  }
 
   return {
     id: 'force-moment',
@@ -87,26 +123,8 @@ export function plane(events: PlaneEvents): FigureKind {
         const up = (y.invert!(event.clientY - box.top) as number) / m.factor
         return [nice(within(across, forces), forces), nice(within(up, moments), moments)]
       }
-      place.onpointerdown = (event) => {
-        if (event.button !== 0) return
-        event.preventDefault()
-        place.focus({ preventScroll: true })
-        place.setPointerCapture(event.pointerId)
-        held = { force: forces, moment: moments }
-        dragging = true
-        events.load(...at(event), true)
-      }
-      place.onpointermove = (event) => {
-        if (dragging) events.load(...at(event), true)
-      }
-      const end = (event: PointerEvent): void => {
-        if (!dragging) return
-        dragging = false
-        held = null
-        events.load(...at(event), false)
-      }
-      place.onpointerup = end
-      place.onpointercancel = end
+      here = { place, forces, moments, at }
+      listen(place)
       place.onkeydown = (event) => {
         const { ply } = context
         const step = event.shiftKey ? 10 : 1
@@ -115,7 +133,7 @@ export function plane(events: PlaneEvents): FigureKind {
         if (!way || !ply || event.ctrlKey || event.metaKey || event.altKey) return
         event.preventDefault()
         const by = (window: Window): number => (window[1] - window[0]) / 100
-        events.load(nice(ply.force + way[0] * step * by(forces), forces), nice(ply.moment + way[1] * step * by(moments), moments), true)
+        events.load(nice(ply.force + way[0] * step * by(forces), forces), nice(ply.moment + way[1] * step * by(moments), moments), 'load')
       }
     },
   }
