@@ -1,7 +1,7 @@
 // The page: a state, the solver's answer to it, and the views of both.
 
 import './styles/page.css'
-import type { Refusal, Report } from './answer.ts'
+import type { PlyState, Refusal, Report } from './answer.ts'
 import { isRefusal, STRAIGHT } from './answer.ts'
 import { begin } from './controls/presets.ts'
 import { loaded } from './controls/choice.ts'
@@ -11,7 +11,7 @@ import { forget, say, tell } from './events.ts'
 import type { Context } from './figures/context.ts'
 import type { Figure } from './figures/figure.ts'
 import { History } from './history.ts'
-import { digits, scaleOf } from './reading.ts'
+import { digits, lengthUnit, scaleOf } from './reading.ts'
 import { showBalances, showNumbers, showStates, verdict } from './readout.ts'
 import { latest, Solver } from './solver/client.ts'
 import type { Answer, Curves, CurvesAsked, Hello } from './solver/messages.ts'
@@ -136,11 +136,18 @@ function redraw(): void {
   document.title = `nply: ${report.title ?? `${report.strands} strands`}`
   byId('version').textContent = `nply ${report.version}.`
   showStates(report, number, (at) => choose(at))
-  showNumbers(ply, state.look.reading)
+  showNumbers(ply ?? straight(report, number), state.look.reading, lengthUnit(report, answer.data))
   showBalances(answer, ply)
   showNotes(report)
   showPly()
   showFigures()
+}
+
+/** What can be said of straight strands. */
+function straight(report: Report, number: number): PlyState | undefined {
+  if (number !== STRAIGHT || report.straight_holds !== true) return undefined
+  const { given } = report.question
+  return { helical_angle_deg: 0, radius_ratio: shape?.radiusRatio, ...given } as unknown as PlyState
 }
 
 /** Another state under the same data. */
@@ -327,7 +334,7 @@ async function begun(): Promise<void> {
     shape: drawShape,
     set: (data, at, of) => change({ ...history.now, data, at }, of),
     say: (sentence) => say(sentence, 'strong'),
-    cover: (left) => scene?.aside(left),
+    cover: (left) => scene?.aside(left > 0 ? (left - byId('cut-panel').offsetWidth) / 2 : 0),
   })
   listen(story)
   solve({ state: history.now, of: 'history' })
@@ -376,7 +383,9 @@ async function withFigures(): Promise<void> {
     change({ ...state, at: answered?.at ?? state.at }, of)
   }
   figures = [plane({ load }), kinds.angle, kinds.pressures(along), kinds.pull, kinds.turn, kinds.contact].map((kind) => new Figure(kind))
-  byId('figures').replaceChildren(...figures.map((figure) => figure.element))
+  const sign = (kind: string, words: string): HTMLElement => el('span', {}, el('i', { className: `line ${kind}` }), words)
+  const key = el('p', { className: 'key' }, sign('Z', 'right-handed (Z)'), sign('S', 'left-handed (S)'), sign('pulls', 'would have to pull'))
+  byId('figures').replaceChildren(key, ...figures.map((figure) => figure.element))
   showLook(history.now)
   showFigures()
 }

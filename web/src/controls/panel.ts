@@ -67,7 +67,7 @@ export class Panel {
     this.#lay = select('lay-way', OFFERED_LAYS.map((flag) => [flag, LABELS[flag]!]))
     this.#hand = select('hand', [['right', 'right-handed (Z)'], ['left', 'left-handed (S)'], ['', 'both']])
     this.#ends = select('ends', [['loads', 'free, under loads'], ['turned', 'kept from turning'], ['length', 'held at a length']])
-    this.#balance = select('balance', [['contact', 'contact (touching)'], ['radial', 'radial (as published)']])
+    this.#balance = select('balance', [['contact', 'contact (touching)'], ['radial', 'radial (published)']])
     this.#add = el('select', { id: 'more-add' })
     this.#places = {
       ply: el('div'), strand: el('div'), twist: el('div'), ends: el('div'), core: el('div'), more: el('div', { className: 'more' }),

@@ -61,7 +61,7 @@ function mark(spot: Spot | null, hand: 1 | -1): Plot.Markish[] {
 }
 
 function tips(found: readonly Point[], x: (point: Point) => number, y: (point: Point) => number, words: (point: Point) => string): Plot.Markish {
-  return Plot.tip(found, Plot.pointer({ x, y, title: words, maxRadius: 30, fontSize: 12 }))
+  return Plot.tip(found, Plot.pointer({ x, y, title: words, maxRadius: 30, fontSize: 12, lineHeight: 1.3 }))
 }
 
 const said = (point: Point): string => `${HANDS[point.hand]} ${digits(point.angle, 4)}°${point.pulls ? ', would have to pull' : ''}`
@@ -180,7 +180,7 @@ export const contact: FigureKind = {
           Plot.line(inside.filter((point) => point.kind === 1), { x: 'angle', y: 'x', stroke: 'var(--ink-3)', strokeDasharray: '3 3', clip: true }),
           Plot.line(inside.filter((point) => point.kind === 0), { x: 'angle', y: 'x', z: 'branch', stroke: 'var(--right)', strokeWidth: 2.4, clip: true }),
           ...(ply && shift !== null ? mark({ x: ply.helical_angle_deg, y: shift }, ply.handedness) : []),
-          Plot.tip(inside.filter((point) => point.x > window[0] && point.x < window[1]), Plot.pointer({ x: 'angle', y: 'x', maxRadius: 30, fontSize: 12, title: (point: Branch) => `${['main branch', 'trivial branch', 'satellite: tubes would overlap'][point.kind]}\nangle ${digits(point.angle, 4)}°\nx ${digits(point.x, 4)}\nR/r ${digits(point.ratio, 4)}` })),
+          Plot.tip(inside.filter((point) => point.x > window[0] && point.x < window[1]), Plot.pointer({ x: 'angle', y: 'x', maxRadius: 30, fontSize: 12, lineHeight: 1.3, title: (point: Branch) => `${['main branch', 'trivial branch', 'satellite: tubes would overlap'][point.kind]}\nangle ${digits(point.angle, 4)}°\nx ${digits(point.x, 4)}\nR/r ${digits(point.ratio, 4)}` })),
         ],
       },
       says: ply ? `At the state on show the lay angle is ${digits(ply.helical_angle_deg, 5)}° and x is ${shift === null ? 'not defined' : digits(shift, 5)}.` : 'The contact diagram.',

@@ -95,7 +95,7 @@ export function plane(events: PlaneEvents): FigureKind {
             Plot.line(found, { x: 'force', y: 'moment', z: 'hand', stroke: ink, strokeWidth: 2.4, clip: true }),
             ...(ply ? [Plot.ruleX(now, { x: 'force', stroke: 'var(--now)', strokeOpacity: 0.3 }), Plot.ruleY(now, { y: 'moment', stroke: 'var(--now)', strokeOpacity: 0.3 })] : []),
             Plot.dot(now, { x: 'force', y: 'moment', r: 8, fill: ply ? ink({ hand: ply.handedness }) : 'none', stroke: 'var(--ground)', strokeWidth: 2.5 }),
-            ...(dragging ? [] : [Plot.tip(inside, Plot.pointer({ x: 'force', y: 'moment', maxRadius: 14, fontSize: 12, title: (row: Locus) => `strands part: ${row.hand > 0 ? 'Z' : 'S'} ${digits(row.angle, 4)}°\nforce ${digits(row.force, 4)}\nmoment ${digits(row.moment, 4)}` }))]),
+            ...(dragging ? [] : [Plot.tip(inside, Plot.pointer({ x: 'force', y: 'moment', maxRadius: 14, fontSize: 12, lineHeight: 1.3, title: (row: Locus) => `strands part: ${row.hand > 0 ? 'Z' : 'S'} ${digits(row.angle, 4)}°\nforce ${digits(row.force, 4)}\nmoment ${digits(row.moment, 4)}` }))]),
           ],
         },
         says: ply ? `The load is ${digits(ply.force * f.factor, 5)} ${f.unit} and ${digits(ply.moment * m.factor, 5)} ${m.unit}. Use the arrow keys to move it.` : 'The plane of force and moment.',

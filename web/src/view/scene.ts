@@ -76,7 +76,7 @@ export class Scene {
   #shape: Shape | null = null
   #look: Look | null = null
   #moves: (() => void)[] = []
-  #left = 0
+  #right = 0
 
   /** Throws where there is no WebGL. */
   constructor(place: HTMLElement) {
@@ -235,16 +235,16 @@ export class Scene {
     this.#lines.instanceMatrix.needsUpdate = true
   }
 
-  /** Leaves so much room at the left, in pixels. */
-  aside(left: number): void {
-    this.#left = left
+  /** Stands so many pixels to the right of the middle. */
+  aside(right: number): void {
+    this.#right = right
     this.#frame()
     this.draw()
   }
 
   #frame(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas
-    if (this.#left > 0 && width > 0) this.#camera.setViewOffset(width, height, -this.#left / 2, 0, width, height)
+    if (this.#right !== 0 && width > 0) this.#camera.setViewOffset(width, height, -this.#right, 0, width, height)
     else this.#camera.clearViewOffset()
   }
 
@@ -293,7 +293,7 @@ export class Scene {
     this.#camera.fov = width / height < 0.62 ? 26 * (0.62 / (width / height)) : 26
     this.#frame()
     this.#camera.updateProjectionMatrix()
-    this.draw()
+    this.#renderer.render(this.#scene, this.#camera) // at once: a new size wipes the picture
   }
 
   /** Once for each frame, however often it is asked for. */
