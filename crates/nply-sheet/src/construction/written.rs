@@ -185,7 +185,13 @@ impl ConstructionSpec {
                     .of_key(flag)
                     .with_help(help));
             };
-            let entry = Entry { key, value: read_text(key, value, &place)?, place, written: crate::quoted(value) };
+            let entry = Entry {
+                key,
+                value: read_text(key, value, &place)?,
+                place,
+                written: crate::quoted(value),
+                text: value.to_owned(),
+            };
             if key.table != Table::Layer {
                 if head.iter().any(|other| other.key.datum == key.datum) {
                     return Err(entry.error(ErrorKind::Contradiction, "this flag is given twice; give it once"));

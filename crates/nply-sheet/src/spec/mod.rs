@@ -29,6 +29,8 @@ pub(crate) struct Entry {
     pub(crate) place: Place,
     /// As written, for messages: `"0.5 mm"` with its marks, `3` without.
     pub(crate) written: String,
+    /// What stands between the marks, whole: `0.5 mm`.
+    pub(crate) text: String,
 }
 
 impl Entry {
@@ -136,13 +138,45 @@ impl Spec {
                     .of_key(flag)
                     .with_help(help));
             };
-            let entry = Entry { key, value: read_text(key, value, &place)?, place, written: crate::quoted(value) };
+            let entry = Entry {
+                key,
+                value: read_text(key, value, &place)?,
+                place,
+                written: crate::quoted(value),
+                text: value.to_owned(),
+            };
             if spec.get(key.datum).is_some() {
                 return Err(entry.error(ErrorKind::Contradiction, "this flag is given twice; give it once"));
             }
             spec.entries.push(entry);
         }
         Ok(spec)
+    }
+
+    /// Every datum as it was given, in the order in which it was given: its key, and what was written without quotation marks. Written
+    /// back as TOML, or as flags, they are the same description; legs of a path and the corners of a map are not among them, see
+    /// [`Spec::is_study`].
+    ///
+    /// ```
+    /// let spec = nply_sheet::Spec::from_toml("ply.toml", "ply.strands = 3\nstrand.diameter = \"0.5 mm\"\n")?;
+    /// let written: Vec<_> = spec.written().map(|(key, text)| (key.flag, text)).collect();
+    /// assert_eq!(written, [("strands", "3"), ("diameter", "0.5 mm")]);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    pub fn written(&self) -> impl Iterator<Item = (&'static Key, &str)> {
+        self.entries.iter().map(|entry| (entry.key, entry.text.as_str()))
+    }
+
+    /// Whether it says what changes, beside what there is: `[[path]]` or `[map]`.
+    ///
+    /// ```
+    /// let text = "ply.strands = 3\n[[path]]\nload.force = 1\n";
+    /// assert!(nply_sheet::Spec::from_toml("ply.toml", text)?.is_study());
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn is_study(&self) -> bool {
+        !self.legs.is_empty() || self.map.is_some()
     }
 
     /// This description with `flags` laid over it: a datum given by a flag takes the place of the same datum, and of any
