@@ -21,6 +21,7 @@ import { Story } from './story.ts'
 import { takeAway, takeDrops } from './take-away.ts'
 import { isDark, pressureColour } from './theme.ts'
 import { section } from './view/section.ts'
+import { drawPly } from './view/drawn.ts'
 import type { Scene } from './view/scene.ts'
 import { heightOf, shapeOf } from './view/shape.ts'
 import type { Shape } from './view/shape.ts'
@@ -35,6 +36,8 @@ let shape: Shape | null = null
 let curves: Curves | null = null
 let curvesOf = ''
 let scene: Scene | null = null
+/** Where there is no WebGL. */
+let flat: HTMLCanvasElement | null = null
 let figures: readonly Figure[] = []
 let panel: Panel | null = null
 let hello: Hello | null = null
@@ -62,8 +65,17 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   const got = await solver.ask('solve', { data: state.data, at: state.at, before, along: state.look.along })
   if (isRefusal(got)) {
     refusal = got.error
+    if (!answer) {
+      // there is no answer yet to stand on: the first page's, behind the sentence
+      const stand = await solver.ask('solve', { data: FIRST.data, at: null, before: null, along: state.look.along })
+      if (!isRefusal(stand)) {
+        answer = stand
+        shape = shapeOf(stand.report, stand.report.states[stand.number], stand.outline)
+      }
+      showLook(history.now)
+    }
     showPanel()
-    byId('numbers').classList.add('stale')
+    document.body.classList.add('stale')
     ready()
     return
   }
@@ -76,7 +88,7 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   if (sameData(history.now, state)) history.amend({ ...history.now, at })
   shape = shapeOf(got.report, ply, got.outline)
   if (got.walk && told) tell(got.walk, got.report, state.look.reading)
-  byId('numbers').classList.remove('stale')
+  document.body.classList.remove('stale')
   redraw()
   document.body.dataset['took'] = got.took.toFixed(2)
   ready()
@@ -158,14 +170,7 @@ function choose(at: number): void {
 }
 
 function showPanel(): void {
-  if (!panel || !answer) {
-    if (refusal) {
-      const place = byId('refusal')
-      place.hidden = false
-      place.textContent = refusal.sentence
-    }
-    return
-  }
+  if (!panel || !answer) return
   panel.show({ state: history.now, report: answer.report, ply: answer.report.states[answer.number], data: answer.data, refusal })
 }
 
@@ -194,13 +199,13 @@ function showPly(): void {
   drawShape(shape)
   const low = -heightOf(shape) / 2
   byId('section').replaceChildren(section(shape, low + heightOf(shape) * (0.04 + 0.96 * look.cut), `The cut across the ply. ${words}`))
-  if (scene) scene.canvas.setAttribute('aria-label', words)
-  else void showStill()
+  ;(scene?.canvas ?? flat)?.setAttribute('aria-label', words)
   showLegend(ply?.interstrand_pressure)
 }
 
 function drawShape(drawn: Shape): void {
   scene?.show(drawn, history.now.look)
+  if (flat) drawPly(flat, drawn, history.now.look)
 }
 
 function description(report: Report, number: number): string {
@@ -221,23 +226,6 @@ function showLegend(pressure: number | undefined): void {
   const patch = el('i', { className: 'patch' })
   patch.style.backgroundColor = pressureColour(pressure)
   place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''}`)
-}
-
-/** Where there is no WebGL: a picture that is worked out. */
-let stillOf = ''
-async function showStill(): Promise<void> {
-  if (scene || !answer || !byId('view').dataset['still']) return
-  const state = history.now
-  const key = JSON.stringify([state.data, answer.number])
-  if (key === stillOf) return
-  stillOf = key
-  const place = byId('view')
-  const [width, height] = [Math.min(360, Math.max(160, Math.round(place.clientWidth * 0.6))), Math.min(520, Math.max(240, place.clientHeight))]
-  const picture = answer.number === STRAIGHT ? null : await solver.ask('still', { data: state.data, number: answer.number, width, height })
-  if (!picture) return
-  const canvas = el('canvas', { width: picture.width, height: picture.height, className: 'still', role: 'img', aria: { label: description(answer.report, answer.number) } })
-  canvas.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(picture.pixels), picture.width, picture.height), 0, 0)
-  place.replaceChildren(canvas)
 }
 
 function showFigures(): void {
@@ -344,7 +332,7 @@ async function begun(): Promise<void> {
     data: () => history.now.data,
     number: () => answer?.number ?? 0,
     stripes: () => history.now.look.stripes,
-    picture: async () => (scene ? scene.png() : new Promise((resolve) => document.querySelector<HTMLCanvasElement>('canvas.still')?.toBlob(resolve) ?? resolve(null))),
+    picture: () => (scene ? scene.png() : new Promise((resolve) => (flat ? flat.toBlob(resolve) : resolve(null)))),
     open: (name, text) => void open(name, text),
   })
   byId('take').addEventListener('click', take)
@@ -357,16 +345,23 @@ async function begun(): Promise<void> {
 async function withScene(): Promise<void> {
   const place = byId('view')
   try {
+    if (!document.createElement('canvas').getContext('webgl2')) throw new Error('no WebGL')
     const { Scene } = await import('./view/scene.ts')
     scene = new Scene(place)
-    byId('view-said').remove()
-    scene.canvas.setAttribute('role', 'img')
+    scene.canvas.tabIndex = 0
     scene.canvas.setAttribute('aria-description', 'Arrow keys turn it, plus and minus come nearer and go away, Home begins anew.')
     scene.onDraw(() => (document.body.dataset['drawn'] = 'yes'))
+    byId('view-said').remove()
   } catch {
-    place.dataset['still'] = 'yes'
-    byId('view-said').textContent = 'This browser draws nothing in three dimensions; a still picture is worked out instead.'
+    flat = el('canvas', { className: 'still' })
+    place.replaceChildren(flat)
+    byId('home').hidden = true
+    new ResizeObserver(() => shape && flat && drawPly(flat, shape, history.now.look)).observe(place)
+    document.body.dataset['drawn'] = 'flat'
   }
+  const canvas = scene?.canvas ?? flat
+  canvas?.setAttribute('role', 'img')
+  canvas?.setAttribute('aria-label', 'The ply')
   showPly()
 }
 

@@ -115,7 +115,6 @@ export function plane(events: PlaneEvents): FigureKind {
       place.tabIndex = 0
       place.classList.add('plane')
       place.setAttribute('role', 'application')
-      place.setAttribute('aria-label', 'Force and moment: arrow keys move the load')
       const within = (value: number, [low, high]: Window): number => Math.min(high, Math.max(low, value))
       const at = (event: PointerEvent): [number, number] => {
         const box = (place.querySelector('svg') ?? picture).getBoundingClientRect()

@@ -91,12 +91,6 @@ export interface Leg {
   readonly place: Place
 }
 
-export interface Picture {
-  readonly width: number
-  readonly height: number
-  readonly pixels: Uint8Array
-}
-
 /** Every question with its answer. */
 export interface Exchange {
   hello: { ask: Record<string, never>; answer: Hello }
@@ -105,7 +99,6 @@ export interface Exchange {
   open: { ask: { name: string; text: string }; answer: Opened | { error: Refusal } }
   report: { ask: { data: Data; format: 'text' | 'csv' | 'json' | 'toml' }; answer: { text: string } | { error: Refusal } }
   mesh: { ask: { data: Data; number: number; format: 'stl' | 'glb'; stripes: number }; answer: Uint8Array }
-  still: { ask: { data: Data; number: number; width: number; height: number }; answer: Picture | null }
   outline: { ask: { strands: number; angle: number; ratio: number; hand: number }; answer: Outline }
   leg: { ask: Leg; answer: Walk | null }
 }

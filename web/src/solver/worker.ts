@@ -82,14 +82,6 @@ const doors: Doors = {
     return nply.mesh(NAME, toToml(data, keys), number + 1, format, 3, stripes)
   },
 
-  still({ data, number, width, height }) {
-    const picture = nply.still(NAME, toToml(data, keys), number + 1, width, height, 1.5)
-    if (!picture) return null
-    const taken = { width: picture.width, height: picture.height, pixels: picture.pixels }
-    picture.free()
-    return taken
-  },
-
   outline({ strands, angle, ratio, hand }) {
     return outlineOf(strands, angle, ratio, hand, 'neighbours')
   },

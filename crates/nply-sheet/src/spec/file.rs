@@ -271,11 +271,6 @@ pub(crate) fn read_toml(
     place: Place,
 ) -> Result<Entry, SpecError> {
     let written = text.get(value.span()).unwrap_or("");
-    let content = match value.get_ref() {
-        DeValue::String(content) => content.as_ref(),
-        _ => written,
-    };
-    let content = content.to_owned();
     let written = crate::quoted(written);
     // the marks of `quoted` go: the file's own are already there
     let written = written.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or("").replace("\\\"", "\"");
@@ -304,5 +299,5 @@ pub(crate) fn read_toml(
         DeValue::Array(_) => return Err(wrong("a list")),
         DeValue::Table(_) => return Err(wrong("a table")),
     };
-    Ok(Entry { key, value: read, place, written, text: content })
+    Ok(Entry { key, value: read, place, written })
 }
