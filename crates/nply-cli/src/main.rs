@@ -6,6 +6,8 @@ mod failure;
 mod input;
 mod interrupt;
 mod output;
+#[cfg(feature = "explore")]
+mod server;
 mod verb;
 
 use std::process::ExitCode;
