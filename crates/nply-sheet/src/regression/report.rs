@@ -242,7 +242,11 @@ fn refused(spec: &Spec, data: &Measurements, asked: &[Parameter], error: &Regres
             spec.missing(key, message)
         }
         RegressionError::NoLength(_) => spec.missing(crate::Datum::StrandLength, message),
-        _ => data.refuse(error.line(), kind, message),
+        _ => {
+            // the place says the line already
+            let line = error.line().map(|line| format!("line {line}: ")).unwrap_or_default();
+            data.refuse(error.line(), kind, message.strip_prefix(&line).unwrap_or(&message).to_owned())
+        }
     }
 }
 
