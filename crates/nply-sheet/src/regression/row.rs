@@ -268,7 +268,8 @@ fn places(
         Some(observable.of(&model.readings(charted, strand, &spot)?).value - value)
     };
     let mut found = Vec::new();
-    let (mut last, mut nearest): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+    let mut last: Option<(f64, f64)> = None;
+    let mut nearest: Option<(f64, f64)> = None;
     for step in 0..STEPS {
         let degrees = 0.5 + f64::from(step) * 89.0 / f64::from(STEPS - 1);
         let Ok(angle) = HelicalAngle::new(degrees.to_radians()) else { continue };
@@ -417,7 +418,9 @@ mod tests {
         let length = (Observable::PlyLength, 0.181, 1e-3);
         let measured_force = (Observable::Force, 4e-3, 5e-4);
         let measured_moment = (Observable::Moment, 0.8e-6, 2e-7);
-        let rows: [(Vec<(Observable, f64)>, Vec<(Observable, f64, f64)>); 5] = [
+        type Numbers = Vec<(Observable, f64)>;
+        type Measured = Vec<(Observable, f64, f64)>;
+        let rows: [(Numbers, Measured); 5] = [
             (vec![force, moment], vec![angle, lay, length]),
             (vec![force, turns], vec![measured_moment, lay]),
             (vec![turns], vec![measured_force, measured_moment, lay]),
