@@ -77,7 +77,7 @@ fn the_example_gives_what_it_was_made_of() {
         .unwrap()
         .iter()
         .flat_map(|row| row["compared"].as_array().unwrap())
-        .map(|compared| number(compared, "standardised").powf(2.0))
+        .map(|compared| number(compared, "standardised") * number(compared, "standardised"))
         .sum();
     near(sum, number(&report, "chi_squared"), 1e-9);
     assert!(fs::read_to_string(&picture).unwrap().starts_with("<svg "));
