@@ -6,6 +6,7 @@ mod failure;
 mod input;
 mod interrupt;
 mod output;
+mod part;
 mod verb;
 
 use std::process::ExitCode;

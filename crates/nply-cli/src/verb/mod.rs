@@ -18,6 +18,7 @@ mod solve;
 mod spin;
 mod stiffness;
 mod support;
+mod sweep;
 mod trace;
 mod writhe;
 
@@ -45,6 +46,7 @@ static VERBS: &[&Verb] = &[
     &support::VERB,
     &trace::VERB,
     &map::VERB,
+    &sweep::VERB,
     &plot::VERB,
     &locus::VERB,
     &contact::VERB,
@@ -73,6 +75,7 @@ Examples:
   nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply sweep examples/studies/yarn-twist.toml --output yarn.parquet
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
   nply clearance wires.csv --diameter \"2 mm\" --unit mm
   nply writhe knot.vtp --json

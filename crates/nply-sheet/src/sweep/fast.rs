@@ -59,6 +59,10 @@ impl Source {
                     Some(Values::Float(cells)) => cells.get(row).copied().flatten(),
                     Some(Values::Counts(cells)) => cells.get(row).map(|value| *value as f64),
                     Some(Values::Integer(cells)) => cells.get(row).copied().flatten().map(|value| value as f64),
+                    // of a file of text
+                    Some(Values::Text(cells)) => {
+                        cells.get(row).and_then(Option::as_deref).and_then(|text| text.trim().parse().ok())
+                    }
                     _ => None,
                 };
                 let value = value.unwrap_or(f64::NAN);
