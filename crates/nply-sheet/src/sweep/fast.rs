@@ -91,7 +91,7 @@ fn only(given: &[GivenKey], data: &[Datum]) -> bool {
 fn strands(value: f64) -> Option<u32> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and between 2 and a million")]
     let whole = |value: f64| value as u32;
-    ((2.0..=1e6).contains(&value) && libm::trunc(value) == value).then(|| whole(value))
+    ((2.0..=1e6).contains(&value) && value.fract() == 0.0).then(|| whole(value))
 }
 
 /// Shapes of given lays.
