@@ -8,6 +8,7 @@ import { loaded } from './controls/choice.ts'
 import { Panel } from './controls/panel.ts'
 import { byId, el } from './element.ts'
 import { forget, say, tell } from './events.ts'
+import { windowOf } from './figures/context.ts'
 import type { Context } from './figures/context.ts'
 import type { Figure } from './figures/figure.ts'
 import { History } from './history.ts'
@@ -92,7 +93,7 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   redraw()
   document.body.dataset['took'] = got.took.toFixed(2)
   ready()
-  wantCurves(state)
+  wantCurves()
 })
 
 /** The first numbers, or the first refusal, are on show. */
@@ -107,15 +108,15 @@ const askCurves = latest<{ asked: CurvesAsked; key: string }>(async ({ asked, ke
   showFigures()
 })
 
-function wantCurves(state: State): void {
-  const asked = curvesAsked(state)
+function wantCurves(): void {
+  const asked = curvesAsked()
   if (!asked) return
   const key = JSON.stringify(asked)
   if (key === curvesOf) showFigures()
   else askCurves({ asked, key })
 }
 
-function curvesAsked(state: State): CurvesAsked | null {
+function curvesAsked(): CurvesAsked | null {
   if (!answer) return null
   const { report, number } = answer
   const ply = report.states[number]
@@ -123,12 +124,11 @@ function curvesAsked(state: State): CurvesAsked | null {
   const twistKind = given['strand_twist'] !== undefined ? 'strand_twist' : 'pretwist'
   const twist = ply ? (twistKind === 'pretwist' ? ply.pretwist : ply.strand_twist) : (given[twistKind] ?? 0)
   const [force, moment] = [ply?.force ?? given['force'] ?? 0, ply?.moment ?? given['moment'] ?? 0]
-  const { along } = state.look
-  const n = report.strands
-  const most = along === 'force' ? Math.max(0.6 * n, 1.25 * Math.abs(force)) : along === 'moment' ? Math.max(0.5 * n, 1.25 * Math.abs(moment)) : 2
+  const of = { report, ply, twist }
+  const windows = { pretwist: windowOf('pretwist', of), force: windowOf('force', of), moment: windowOf('moment', of) }
   return {
-    strands: n, ratio: report.stiffness_ratio, balance: report.balance ?? 'contact', twistKind, twist, pretwist: ply?.pretwist ?? twist, force, moment,
-    core: report.core_radius ?? null, supported: find === 'supported_states', along, window: [-most, most],
+    strands: report.strands, ratio: report.stiffness_ratio, balance: report.balance ?? 'contact', twistKind, twist, pretwist: ply?.pretwist ?? twist, force, moment,
+    core: report.core_radius ?? null, supported: find === 'supported_states', windows,
   }
 }
 
@@ -200,7 +200,17 @@ function showPly(): void {
   const low = -heightOf(shape) / 2
   byId('section').replaceChildren(section(shape, low + heightOf(shape) * (0.04 + 0.96 * look.cut), `The cut across the ply. ${words}`))
   ;(scene?.canvas ?? flat)?.setAttribute('aria-label', words)
+  announce(words)
   showLegend(ply?.interstrand_pressure)
+}
+
+/** Said to those who listen, once the ply has come to rest. */
+let announcing = 0
+function announce(words: string): void {
+  clearTimeout(announcing)
+  announcing = window.setTimeout(() => {
+    if (byId('said').textContent !== words) byId('said').textContent = words
+  }, 700)
 }
 
 function drawShape(drawn: Shape): void {
@@ -231,7 +241,7 @@ function showLegend(pressure: number | undefined): void {
 function showFigures(): void {
   if (!answer || !curves) return
   const { report, number } = answer
-  const asked = curvesAsked(history.now)
+  const asked = curvesAsked()
   const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0 }
   for (const figure of figures) figure.show(context)
 }
@@ -367,11 +377,7 @@ async function withScene(): Promise<void> {
 
 async function withFigures(): Promise<void> {
   const [{ Figure }, kinds, { plane }] = await Promise.all([import('./figures/figure.ts'), import('./figures/kinds.ts'), import('./figures/plane.ts')])
-  const along = (datum: Along): void => {
-    const state = withLook(history.now, { along: datum })
-    change(state, 'along')
-    wantCurves(state)
-  }
+  const along = (datum: Along): void => change(withLook(history.now, { along: datum }), 'along')
   const load = (force: number, moment: number, of: string): void => {
     if (!answer) return
     const state = loaded(history.now, force, moment, answer.report.states[answer.number], answer.report)
