@@ -24,7 +24,7 @@ import { isDark, pressureColour } from './theme.ts'
 import { section } from './view/section.ts'
 import { drawPly } from './view/drawn.ts'
 import type { Scene } from './view/scene.ts'
-import { heightOf, shapeOf } from './view/shape.ts'
+import { heightOf, MOST_DRAWN, shapeOf } from './view/shape.ts'
 import type { Shape } from './view/shape.ts'
 
 const solver = new Solver()
@@ -60,10 +60,15 @@ function go(state: State): void {
   solve({ state, of: 'history' })
 }
 
+/** Changes after which the ply is not followed from where it was. */
+const ELSEWHERE = ['history', 'preset', 'story', 'choose']
+
 const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
-  const told = of !== 'history' && of !== 'preset' && of !== 'story'
-  const before = told && answer && answered && state.at === answered.at ? answer.before : null
-  const got = await solver.ask('solve', { data: state.data, at: state.at, before, along: state.look.along })
+  // what a hand moves is followed along its branch; what is chosen, opened or undone is where it says
+  const told = !ELSEWHERE.includes(of)
+  const before = (told && answer?.before) || null
+  const at0 = told ? (answered?.at ?? state.at) : state.at
+  const got = await solver.ask('solve', { data: state.data, at: at0, before, along: state.look.along })
   if (isRefusal(got)) {
     refusal = got.error
     if (!answer) {
@@ -136,7 +141,7 @@ function curvesAsked(): CurvesAsked | null {
 
 function redraw(): void {
   const state = history.now
-  window.history.replaceState(null, '', toHash(state))
+  showAddress()
   byId<HTMLButtonElement>('undo').disabled = !history.canUndo
   byId<HTMLButtonElement>('redo').disabled = !history.canRedo
   showLook(state)
@@ -160,6 +165,13 @@ function straight(report: Report, number: number): PlyState | undefined {
   if (number !== STRAIGHT || report.straight_holds !== true) return undefined
   const { given } = report.question
   return { helical_angle_deg: 0, radius_ratio: shape?.radiusRatio, ...given } as unknown as PlyState
+}
+
+/** The link follows a little behind: browsers bear no more than some changes of it a second. */
+let addressing = 0
+function showAddress(): void {
+  clearTimeout(addressing)
+  addressing = window.setTimeout(() => window.history.replaceState(null, '', toHash(history.now)), 120)
 }
 
 /** Another state under the same data. */
@@ -228,14 +240,16 @@ function description(report: Report, number: number): string {
 function showLegend(pressure: number | undefined): void {
   const place = byId('legend')
   const { look } = history.now
+  const strands = answer?.report.strands ?? 0
+  const many = strands > MOST_DRAWN ? `${MOST_DRAWN} of ${strands} strands are drawn` : ''
   if (look.paint !== 'pressure' || pressure === undefined || !answer) {
-    place.replaceChildren()
+    place.textContent = many
     return
   }
   const { factor, unit } = scaleOf(answer.report, 'pressure', look.reading, Math.abs(pressure) || 1)
   const patch = el('i', { className: 'patch' })
   patch.style.backgroundColor = pressureColour(pressure)
-  place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''}`)
+  place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''} ${many}`)
 }
 
 function showFigures(): void {
@@ -292,7 +306,7 @@ function listen(story: Story): void {
   byId('link').addEventListener('click', async () => {
     const button = byId('link')
     try {
-      await navigator.clipboard.writeText(location.href)
+      await navigator.clipboard.writeText(new URL(toHash(history.now), location.href).href)
       button.textContent = 'Copied'
     } catch {
       button.textContent = 'See the address'
