@@ -1,7 +1,7 @@
 // The page: a state, the solver's answer to it, and the views of both.
 
 import './styles/page.css'
-import type { PlyState, Refusal, Report } from './answer.ts'
+import type { PlyState, Refusal, Report, Walk } from './answer.ts'
 import { isRefusal, STRAIGHT } from './answer.ts'
 import { begin } from './controls/presets.ts'
 import { loaded } from './controls/choice.ts'
@@ -9,7 +9,7 @@ import { Panel } from './controls/panel.ts'
 import { byId, el } from './element.ts'
 import { forget, say, tell } from './events.ts'
 import { windowOf } from './figures/context.ts'
-import type { Context } from './figures/context.ts'
+import type { Context, Happened } from './figures/context.ts'
 import type { Figure } from './figures/figure.ts'
 import { History } from './history.ts'
 import { digits, lengthUnit, scaleOf } from './reading.ts'
@@ -43,6 +43,7 @@ let figures: readonly Figure[] = []
 let panel: Panel | null = null
 let hello: Hello | null = null
 let numbersShown: () => void = () => {}
+let happened: readonly Happened[] = []
 /** The state to which the answer belongs. */
 let answered: State | null = null
 
@@ -94,6 +95,8 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   if (sameData(history.now, state)) history.amend({ ...history.now, at })
   shape = shapeOf(got.report, ply, got.outline)
   if (got.walk && told) tell(got.walk, got.report, state.look.reading)
+  if (!told) happened = []
+  else if (got.walk && got.walk.events.length > 0) happened = [...happenings(got.walk, at), ...happened].slice(0, 4)
   document.body.classList.remove('stale')
   redraw()
   document.body.dataset['took'] = got.took.toFixed(2)
@@ -135,6 +138,14 @@ function curvesAsked(): CurvesAsked | null {
     strands: report.strands, ratio: report.stiffness_ratio, balance: report.balance ?? 'contact', twistKind, twist, pretwist: ply?.pretwist ?? twist, force, moment,
     core: report.core_radius ?? null, supported: find === 'supported_states', windows,
   }
+}
+
+function happenings(walk: Walk, at: number | null): Happened[] {
+  const words: Readonly<Record<string, string>> = { separation: 'strands part', fold: 'states end', contact_change: 'contacts change', straight: 'straight', most_turns: 'no more turns fit in', buckling: 'strands buckle' }
+  return walk.events.filter((event) => words[event.event]).map((event) => ({
+    force: event.force, moment: event.moment, pretwist: event.twist, from: event.angle, words: words[event.event]!,
+    to: event.jump === null ? null : event.jump === 'none' ? at : event.jump,
+  }))
 }
 
 // ---- what is shown
@@ -256,7 +267,7 @@ function showFigures(): void {
   if (!answer || !curves) return
   const { report, number } = answer
   const asked = curvesAsked()
-  const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0 }
+  const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0, happened }
   for (const figure of figures) figure.show(context)
 }
 
