@@ -87,18 +87,15 @@ export function plane(events: PlaneEvents): FigureKind {
         const up = (y.invert!(event.clientY - box.top) as number) / m.factor
         return [nice(within(across, forces), forces), nice(within(up, moments), moments)]
       }
-      // on its way down: near a curve the picture's own pointer would keep a press to itself
-      const begin = (event: PointerEvent): void => {
+      place.onpointerdown = (event) => {
         if (event.button !== 0) return
         event.preventDefault()
-        event.stopPropagation()
         place.focus({ preventScroll: true })
         place.setPointerCapture(event.pointerId)
         held = { force: forces, moment: moments }
         dragging = true
         events.load(...at(event), true)
       }
-      picture.addEventListener('pointerdown', begin, { capture: true })
       place.onpointermove = (event) => {
         if (dragging) events.load(...at(event), true)
       }
