@@ -1,7 +1,9 @@
 // A look at the page, and what the command says of the same ply.
 
 import { execFileSync, spawnSync } from 'node:child_process'
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
 import { chromium } from 'playwright-core'
 import type { BrowserContextOptions, Page, Request } from 'playwright-core'
 import { expect, inject } from 'vitest'
@@ -70,6 +72,13 @@ export function flags(page: Page): string[] {
 
 export function nply(...args: string[]): string {
   return execFileSync(inject('command'), args, { encoding: 'utf8' })
+}
+
+/** A file for the command to read. */
+export function kept(bytes: Buffer | string, name: string): string {
+  const path = join(mkdtempSync(join(tmpdir(), 'nply-taken-')), name)
+  writeFileSync(path, bytes)
+  return path
 }
 
 /** A call that may be refused. */

@@ -101,7 +101,10 @@ export class Panel {
       const flag = this.#add.value
       if (!view || flag === '') return
       const key = this.#keys.get(flag)
-      const first = key?.kind === 'switch' ? 'true' : (/such as "?([^",]+?)"?(?:,| or |$)/.exec(key?.wanted ?? '')?.[1] ?? '1')
+      const r = view.report.strand_radius_m
+      // as of a solid strand of a soft polymer, E = 1 GPa: an example that suits the size
+      const example = flag === 'bending-stiffness' && r ? `${((Math.PI / 4) * 1e9 * r ** 4).toExponential(2)} N m^2` : null
+      const first = example ?? (key?.kind === 'switch' ? 'true' : (/such as "?([^",]+?)"?(?:,| or |$)/.exec(key?.wanted ?? '')?.[1] ?? '1'))
       this.#events.change(withData(view.state, { [flag]: first }), `add ${flag}`)
     })
   }

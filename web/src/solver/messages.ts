@@ -48,7 +48,8 @@ export interface Curves {
   readonly pretwist: Float64Array
   readonly force: Float64Array
   readonly moment: Float64Array
-  readonly supported: Float64Array
+  /** States with a core, or that may part, as each datum runs; empty where the document asks for touching strands alone. */
+  readonly supported: Readonly<Record<Along, Float64Array>>
   readonly locus: Float64Array
   readonly lines: readonly AngleLine[]
   readonly contact: Float64Array
@@ -114,8 +115,7 @@ export interface CurvesAsked {
   readonly moment: number
   readonly core: number | null
   readonly supported: boolean
-  readonly along: Along
-  readonly window: readonly [number, number]
+  readonly windows: Readonly<Record<Along, readonly [number, number]>>
 }
 
 export type Ask = { [K in keyof Exchange]: { id: number; kind: K; ask: Exchange[K]['ask'] } }[keyof Exchange]
