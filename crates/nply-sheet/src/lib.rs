@@ -19,6 +19,7 @@ mod diagnostic;
 mod dimension;
 mod double;
 pub mod figure;
+pub mod graph;
 mod key;
 pub mod map;
 pub mod mesh;
@@ -31,7 +32,6 @@ mod report;
 mod solve;
 mod spec;
 mod study;
-pub mod sweep;
 pub mod table;
 mod unit;
 

@@ -15,12 +15,12 @@ use crate::report::{Column, Known, Measure, Reading, data_of};
 use crate::spec::Spec;
 use crate::{Case, ErrorKind, Lay, Place, Question, SpecError, Table};
 use course::Course;
-pub use curve::{SweepCurve, SweepPoint};
+pub use curve::{GraphCurve, GraphPoint};
 pub use window::Scales;
 
-/// What a sweep asks besides the ply.
+/// What a graph asks besides the ply.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct SweepFlags {
+pub struct GraphFlags {
     /// What runs, from where to where: `twist.pretwist=-3..3`, `force=0..2 kN`, `lay.helical_angle=0 deg..80 deg`.
     pub sweep: String,
     /// What is asked of each state: names of [`COLUMNS`](crate::COLUMNS), without unit if you like.
@@ -37,14 +37,14 @@ pub struct SweepFlags {
     pub scales: Scales,
 }
 
-/// A sweep that is understood: every number of it is at hand, nothing is worked out yet.
+/// A graph that is understood: every number of it is at hand, nothing is worked out yet.
 ///
 /// ```
 /// use nply_sheet::Spec;
-/// use nply_sheet::sweep::SweepFlags;
+/// use nply_sheet::graph::GraphFlags;
 /// let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")])?;
-/// let flags = SweepFlags { sweep: "pretwist=-1..0".into(), ask: vec!["helical_angle".into()], ..SweepFlags::default() };
-/// let curves = ply.check_sweep(&flags)?.curves();
+/// let flags = GraphFlags { sweep: "pretwist=-1..0".into(), ask: vec!["helical_angle".into()], ..GraphFlags::default() };
+/// let curves = ply.check_graph(&flags)?.curves();
 /// // released after a pretwist of −1 three strands come to rest at 30.613°: there the curve leaves the range
 /// let pressing = curves.iter().filter(|curve| !curve.separated).flat_map(|curve| &curve.points);
 /// let steepest = pressing.map(|point| point.state.contact().angle().degrees()).fold(0.0, f64::max);
@@ -52,7 +52,7 @@ pub struct SweepFlags {
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Sweep {
+pub struct Graph {
     case: Case,
     series: Vec<Series>,
     hands: Vec<Handedness>,
@@ -83,12 +83,12 @@ const MOST_SERIES: usize = 24;
 const COLOURS: usize = 6;
 
 impl Spec {
-    /// The sweep that flags ask for, of the ply described here.
+    /// The graph that flags ask for, of the ply described here.
     ///
     /// # Errors
     /// [`SpecError`] as for [`Spec::check`]; where the range or a name is not understood; and where a core, or a pressure from outside,
     /// would have to be taken into account.
-    pub fn check_sweep(&self, flags: &SweepFlags) -> Result<Sweep, SpecError> {
+    pub fn check_graph(&self, flags: &GraphFlags) -> Result<Graph, SpecError> {
         let [from, to] = ask::range(&flags.sweep)?;
         let ask = flags.ask.iter().map(|name| ask::column(name, "ask")).collect::<Result<Vec<_>, _>>()?;
         if ask.is_empty() {
@@ -139,7 +139,7 @@ impl Spec {
             return Err(refused(ErrorKind::Missing, "strands", "there is no ply")); // plies hold one at least
         };
         let hands = if flags.hands.is_empty() { Handedness::BOTH.to_vec() } else { flags.hands.clone() };
-        Ok(Sweep { case, series, hands, abscissa, against, ask, scales: flags.scales })
+        Ok(Graph { case, series, hands, abscissa, against, ask, scales: flags.scales })
     }
 }
 
@@ -177,7 +177,7 @@ fn course_of(start: &Case, end: &Case, to: &Spec) -> Result<(Abscissa, Course), 
     Ok((Abscissa::Datum(axis), Course::of(ply, &first, axis)))
 }
 
-impl Sweep {
+impl Graph {
     /// The range of what runs, dimensionless, the smaller number first.
     fn range(&self) -> (f64, f64) {
         let (a, b) = match self.abscissa {

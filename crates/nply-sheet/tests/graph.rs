@@ -1,28 +1,28 @@
-//! Curves of a sweep against the solver: every state is on one, and nothing else is.
+//! Curves of a graph against the solver: every state is on one, and nothing else is.
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::disallowed_methods)]
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Load, Ply, Twist};
 use nply_sheet::Spec;
-use nply_sheet::sweep::{Scales, Sweep, SweepCurve, SweepFlags};
+use nply_sheet::graph::{Graph, GraphCurve, GraphFlags, Scales};
 
 fn ply(flags: &[(&str, &str)]) -> Spec {
     Spec::from_flags(flags.iter().copied()).unwrap()
 }
 
-fn sweep(ply: &Spec, range: &str, ask: &[&str]) -> Sweep {
+fn graph(ply: &Spec, range: &str, ask: &[&str]) -> Graph {
     let ask = ask.iter().map(|&name| name.to_owned()).collect();
-    ply.check_sweep(&SweepFlags { sweep: range.to_owned(), ask, ..SweepFlags::default() }).unwrap()
+    ply.check_graph(&GraphFlags { sweep: range.to_owned(), ask, ..GraphFlags::default() }).unwrap()
 }
 
 /// The angles at which curves of a hand pass a value, in degrees, rising.
-fn angles_at(curves: &[SweepCurve], hand: Handedness, at: f64) -> Vec<f64> {
+fn angles_at(curves: &[GraphCurve], hand: Handedness, at: f64) -> Vec<f64> {
     let mut found = Vec::new();
     for curve in curves.iter().filter(|curve| curve.handedness == hand) {
         for pair in curve.points.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             if (a.x <= at) != (b.x <= at) {
-                let angle = |p: &nply_sheet::sweep::SweepPoint| p.state.contact().angle().degrees();
+                let angle = |p: &nply_sheet::graph::GraphPoint| p.state.contact().angle().degrees();
                 found.push(angle(&a) + (angle(&b) - angle(&a)) * (at - a.x) / (b.x - a.x));
             }
         }
@@ -57,7 +57,7 @@ fn curves_hold_every_state_and_no_other() {
                     ("force", "0.3"),
                     ("moment", "0.4"),
                 ]);
-                let curves = sweep(&spec, range, &["helical_angle", "interstrand_pressure"]).curves();
+                let curves = graph(&spec, range, &["helical_angle", "interstrand_pressure"]).curves();
                 let (low, high) = range.split_once('=').unwrap().1.split_once("..").unwrap();
                 let (low, high): (f64, f64) = (low.parse().unwrap(), high.parse().unwrap());
                 for i in 1..30 {
@@ -97,7 +97,7 @@ fn curves_hold_every_state_and_no_other() {
 #[test]
 fn dashes_begin_where_neighbours_stop_pressing() {
     let spec = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.5")]);
-    let curves = sweep(&spec, "force=-1..1", &["helical_angle"]).curves();
+    let curves = graph(&spec, "force=-1..1", &["helical_angle"]).curves();
     let solver = Ply::new(3, 0.75).unwrap();
     let mut met = 0;
     for curve in &curves {
@@ -125,14 +125,14 @@ fn dashes_begin_where_neighbours_stop_pressing() {
 #[test]
 fn what_is_asked_can_stand_on_the_axis() {
     let spec = ply(&[("strands", "2"), ("stiffness-ratio", "0.75")]);
-    let flags = SweepFlags {
+    let flags = GraphFlags {
         sweep: "pretwist=-20..20".into(),
         ask: vec!["arclength_shift".into(), "radius_ratio".into()],
         against: Some("helical_angle".into()),
-        ..SweepFlags::default()
+        ..GraphFlags::default()
     };
-    let sweep = spec.check_sweep(&flags).unwrap();
-    let csv = sweep.csv(&sweep.curves());
+    let graph = spec.check_graph(&flags).unwrap();
+    let csv = graph.csv(&graph.curves());
     let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
     assert_eq!(head[5..], ["pretwist", "helical_angle_deg", "arclength_shift", "radius_ratio"]);
     let mut forked = 0;
@@ -158,7 +158,7 @@ fn a_lay_runs() {
         ("pretwist", "-0.3"),
         ("force", "0.1"),
     ]);
-    let curves = sweep(&spec, "lay_length=30..8 mm", &["moment"]).curves();
+    let curves = graph(&spec, "lay_length=30..8 mm", &["moment"]).curves();
     let solver = Ply::new(3, 0.75).unwrap();
     let right: Vec<_> =
         curves.iter().filter(|curve| curve.handedness == Handedness::Right).flat_map(|c| &c.points).collect();
@@ -171,7 +171,7 @@ fn a_lay_runs() {
             solver.moment_at(point.state.contact().angle(), Handedness::Right, Twist::Pretwist(-0.3), 0.1).unwrap();
         assert!((again.load().moment - point.state.load().moment).abs() < 1e-12);
     }
-    let svg = sweep(&spec, "lay_length=30..8 mm", &["moment"]).picture(&curves).svg();
+    let svg = graph(&spec, "lay_length=30..8 mm", &["moment"]).picture(&curves).svg();
     assert!(svg.contains("lay length (mm)"));
 }
 
@@ -179,14 +179,14 @@ fn a_lay_runs() {
 #[test]
 fn held_ends_run_too() {
     let spec = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3")]);
-    let curves = sweep(&spec, "length_ratio=0.6..0.95", &["force", "helical_angle"]).curves();
+    let curves = graph(&spec, "length_ratio=0.6..0.95", &["force", "helical_angle"]).curves();
     assert!(!curves.is_empty());
     for point in curves.iter().flat_map(|curve| &curve.points) {
         assert!((point.state.contact().helical_angle().cos() - point.x).abs() < 1e-12);
         assert!(point.state.balance_residual().abs() < 1e-10);
     }
     let held = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3"), ("length-ratio", "0.9")]);
-    let curves = sweep(&held, "pretwist=-1..1", &["force"]).curves();
+    let curves = graph(&held, "pretwist=-1..1", &["force"]).curves();
     let hands = curves.iter().map(|curve| curve.handedness).collect::<std::collections::HashSet<_>>();
     assert_eq!(hands.len(), 2);
     for point in curves.iter().flat_map(|curve| &curve.points) {
@@ -199,14 +199,14 @@ fn held_ends_run_too() {
 #[test]
 fn a_picture_names_what_it_shows() {
     let spec = ply(&[("strands", "3"), ("stiffness-ratio", "0.75")]);
-    let flags = SweepFlags {
+    let flags = GraphFlags {
         sweep: "pretwist=-2..2".into(),
         ask: vec!["helical_angle".into(), "interstrand_pressure".into()],
         strands: vec![2, 3, 6],
         balances: Balance::BOTH.to_vec(),
-        ..SweepFlags::default()
+        ..GraphFlags::default()
     };
-    let asked = spec.check_sweep(&flags).unwrap();
+    let asked = spec.check_graph(&flags).unwrap();
     let svg = asked.picture(&asked.curves()).svg();
     for name in [
         "n = 2, right (Z), contact",
@@ -217,13 +217,13 @@ fn a_picture_names_what_it_shows() {
         assert_eq!(svg.matches(name).count(), 1, "{name}");
     }
     let scales = Scales { log_x: true, log_y: true };
-    let flags = SweepFlags {
+    let flags = GraphFlags {
         sweep: "pretwist=0.001..10".into(),
         ask: vec!["helical_angle".into()],
         scales,
-        ..SweepFlags::default()
+        ..GraphFlags::default()
     };
-    let asked = spec.check_sweep(&flags).unwrap();
+    let asked = spec.check_graph(&flags).unwrap();
     let svg = asked.picture(&asked.curves()).svg();
     assert!(svg.contains(">0.01<") && svg.contains(">10<"));
 }
@@ -233,8 +233,8 @@ fn a_picture_names_what_it_shows() {
 fn what_cannot_run_is_refused() {
     let spec = ply(&[("strands", "3"), ("stiffness-ratio", "0.75")]);
     let refused = |sweep: &str, ask: &str| {
-        let flags = SweepFlags { sweep: sweep.into(), ask: vec![ask.into()], ..SweepFlags::default() };
-        spec.check_sweep(&flags).unwrap_err().to_string()
+        let flags = GraphFlags { sweep: sweep.into(), ask: vec![ask.into()], ..GraphFlags::default() };
+        spec.check_graph(&flags).unwrap_err().to_string()
     };
     assert!(refused("pretwst=0..1", "helical_angle").contains("pretwist"));
     assert!(refused("pretwist=0..1", "helical_angel").contains("helical_angle"));
@@ -244,6 +244,6 @@ fn what_cannot_run_is_refused() {
     assert!(refused("force=0..1 mm", "helical_angle").contains("--sweep force"));
     let cored =
         ply(&[("strands", "6"), ("stiffness-ratio", "0.75"), ("pretwist", "0"), ("support-core-radius", "1.1")]);
-    let flags = SweepFlags { sweep: "force=0..1".into(), ask: vec!["moment".into()], ..SweepFlags::default() };
-    assert!(cored.check_sweep(&flags).unwrap_err().to_string().contains("nply trace --plot"));
+    let flags = GraphFlags { sweep: "force=0..1".into(), ask: vec!["moment".into()], ..GraphFlags::default() };
+    assert!(cored.check_graph(&flags).unwrap_err().to_string().contains("nply trace --plot"));
 }
