@@ -7,6 +7,7 @@ use nply_sheet::{
 };
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 /// What can be written as text, JSON, CSV or a picture. `None` where a report has no such form.
 pub trait Written: Send + Sync {
@@ -127,6 +128,7 @@ pub fn theme(dark: bool) -> Theme {
 
 /// An SVG picture as PNG, `zoom` pixels to each of its own.
 #[pyfunction]
-pub fn rasterise(py: Python<'_>, svg: &str, zoom: f64) -> PyResult<Vec<u8>> {
-    py.detach(|| png(svg, zoom)).map_err(|error| PyRuntimeError::new_err(error.to_string()))
+pub fn rasterise<'py>(py: Python<'py>, svg: &str, zoom: f64) -> PyResult<Bound<'py, PyBytes>> {
+    let pixels = py.detach(|| png(svg, zoom)).map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+    Ok(PyBytes::new(py, &pixels))
 }

@@ -68,6 +68,8 @@ fn counted(strands: i64) -> u32 {
     u32::try_from(strands).unwrap_or(0)
 }
 
+type Shapes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Refusals);
+
 /// x and ρ of touching strands, row by row; and which rows are refused.
 #[pyfunction]
 pub fn contact<'py>(
@@ -75,7 +77,7 @@ pub fn contact<'py>(
     rows: usize,
     strands: PyReadonlyArray1<'py, i64>,
     helical_angle: PyReadonlyArray1<'py, f64>,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Refusals)> {
+) -> PyResult<Shapes<'py>> {
     let n = Column::of(&strands, rows, "strands")?;
     let theta = Column::of(&helical_angle, rows, "helical_angle")?;
     let (shift, radius) = (PyArray1::zeros(py, rows, false), PyArray1::zeros(py, rows, false));

@@ -415,8 +415,8 @@ pub fn render<'py>(
     shown: Shown,
     seen: Seen,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    /// Rows drawn between two looks at Ctrl-C.
-    const ROUND: usize = 32;
+    /// Pixels drawn between two looks at Ctrl-C.
+    const ROUND: usize = 1 << 16;
     let view = seen.view()?;
     let (_, assembly) = shown.shape(py, document, data)?;
     let no_picture = |error: nply_sheet::render::RenderError| {
@@ -424,7 +424,7 @@ pub fn render<'py>(
     };
     let picture = alone(py, || Picture::of(&[(&assembly, [0.0; 3])], view))?.map_err(no_picture)?;
     let all: Vec<u32> = (0..picture.height()).collect();
-    let rows = each(py, &all, ROUND, no_picture, |row| Ok(picture.row(*row)))?;
+    let rows = each(py, &all, ROUND / picture.width() as usize, no_picture, |row| Ok(picture.row(*row)))?;
     let bytes = alone(py, || picture.png(&rows))?.map_err(no_picture)?;
     Ok(PyBytes::new(py, &bytes))
 }

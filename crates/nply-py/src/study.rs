@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use nply::Handedness;
 use nply::mechanics::Balance;
 use nply_sheet::figure::Figure;
+use nply_sheet::graph::{Graph, GraphCurve, GraphFlags, Scales};
 use nply_sheet::map::{Cell, Map, MapFlags, MapPicture, Tally};
 use nply_sheet::plot::Picture;
-use nply_sheet::sweep::{Scales, Sweep, SweepCurve, SweepFlags};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -27,13 +27,13 @@ pub fn map(
     py: Python<'_>,
     document: Option<&Bound<'_, PyAny>>,
     data: Option<&Bound<'_, PyDict>>,
-    from: Option<&Bound<'_, PyDict>>,
+    from_: Option<&Bound<'_, PyDict>>,
     to: Option<&Bound<'_, PyDict>>,
     columns: Option<u32>,
     rows: Option<u32>,
 ) -> PyResult<(Batches, String, String)> {
     let input = document::ply(document, data)?;
-    let flags = MapFlags { from: document::corner("from-", from)?, to: document::corner("to-", to)?, columns, rows };
+    let flags = MapFlags { from: document::corner("from-", from_)?, to: document::corner("to-", to)?, columns, rows };
     let map = input.spec.check_map(Some(&flags)).map_err(|refused| input.refused(&refused))?;
     let schema = table::schema(&map.columns(), metadata(&map));
     let (mut picture, mut tally, mut batches) = (MapPicture::new(&map), Tally::default(), Vec::new());
@@ -89,7 +89,7 @@ pub struct Running {
 }
 
 impl Running {
-    fn flags(self) -> PyResult<SweepFlags> {
+    fn flags(self) -> PyResult<GraphFlags> {
         let known = |name: &str, words: &[String], all: &[&str]| match words
             .iter()
             .find(|word| !all.contains(&word.as_str()) && *word != "both")
@@ -103,7 +103,7 @@ impl Running {
         known("hand", &self.hands, &["right", "left"])?;
         let named = |words: &[String], name: &str| words.iter().any(|word| word == name || word == "both");
         let hands = [(Handedness::Right, "right"), (Handedness::Left, "left")];
-        Ok(SweepFlags {
+        Ok(GraphFlags {
             balances: Balance::BOTH.into_iter().filter(|balance| named(&self.balances, balance.name())).collect(),
             hands: hands.into_iter().filter(|(_, name)| named(&self.hands, name)).map(|(hand, _)| hand).collect(),
             sweep: self.sweep,
@@ -118,8 +118,8 @@ impl Running {
 /// Curves of every state while one datum runs.
 #[pyclass(frozen, module = "nply._nply")]
 pub struct Plot {
-    sweep: Sweep,
-    curves: Vec<SweepCurve>,
+    graph: Graph,
+    curves: Vec<GraphCurve>,
     picture: Picture,
 }
 
@@ -132,13 +132,13 @@ pub fn plot(
 ) -> PyResult<Plot> {
     let input = document::ply(document, data)?;
     let flags = running.flags()?;
-    let sweep = input.spec.check_sweep(&flags).map_err(|refused| input.refused(&refused))?;
+    let graph = input.spec.check_graph(&flags).map_err(|refused| input.refused(&refused))?;
     let (curves, picture) = alone(py, || {
-        let curves = sweep.curves();
-        let picture = sweep.picture(&curves);
+        let curves = graph.curves();
+        let picture = graph.picture(&curves);
         (curves, picture)
     })?;
-    Ok(Plot { sweep, curves, picture })
+    Ok(Plot { graph, curves, picture })
 }
 
 #[pymethods]
@@ -149,13 +149,13 @@ impl Plot {
     }
 
     fn csv(&self, py: Python<'_>) -> String {
-        py.detach(|| self.sweep.csv(&self.curves))
+        py.detach(|| self.graph.csv(&self.curves))
     }
 
     /// The picture in characters.
     fn text(&self, py: Python<'_>, width: usize, height: usize) -> String {
         py.detach(|| {
-            let charts = self.sweep.charts(&self.curves);
+            let charts = self.graph.charts(&self.curves);
             let each = (height / charts.len().max(1)).max(12);
             charts.iter().map(|chart| chart.text(width, each)).collect::<Vec<_>>().join("\n")
         })

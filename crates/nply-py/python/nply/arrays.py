@@ -115,7 +115,7 @@ class Equilibria:
         >>> import nply
         >>> found = nply.equilibria(3, 0.75, pretwist=[[-1.0, 1.0]])
         >>> found.row((0, 1)).handedness
-        array([-1,  1,  1], dtype=int8)
+        array([ 1, -1], dtype=int8)
         """
         rows = len(self.offsets) - 1
         if isinstance(place, tuple):
@@ -241,8 +241,8 @@ def equilibria(
     >>> np.degrees(found.row().helical_angle[0]).round(4)     # simulated in three dimensions: 30.6130
     np.float64(30.613)
     >>> nply.equilibria([2, 3, 6], 0.75, pretwist=[[-1.0], [1.0]]).count
-    array([[3, 3, 3],
-           [3, 3, 3]])
+    array([[3, 2, 2],
+           [3, 2, 2]])
     """
     _check_errors(errors)
     given = [(name, twist) for name, twist in [("pretwist", pretwist), ("strand_twist", strand_twist)] if twist is not None]
@@ -253,11 +253,13 @@ def equilibria(
     reals = [np.asarray(data, dtype=np.float64) for data in (stiffness_ratio, twist, force, moment)]
     shape = np.broadcast_shapes(n.shape, *(data.shape for data in reals))
     gamma, t, f, m = (_flat(data, shape) for data in reals)
-    *columns, rows = _nply.equilibria(_size(shape), _flat(n, shape), gamma, t, name == "strand_twist", f, m, balance)
+    offsets, handedness, theta, pitch, fold, rows = _nply.equilibria(
+        _size(shape), _flat(n, shape), gamma, t, name == "strand_twist", f, m, balance
+    )
     refused = Refusals(rows, shape)
     if refused and errors == "raise":
         raise refused[0]
-    return Equilibria(shape, *columns, refused)
+    return Equilibria(shape, offsets, handedness, theta, pitch, fold, refused)
 
 
 def _check_errors(errors: str) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _nply
@@ -42,17 +42,36 @@ __all__ = [
 ]
 
 
-class Record(dict[str, Any]):
-    """An object of a report: a dictionary whose entries are attributes too."""
+class Record(Mapping[str, Any]):
+    """An object of a report: a mapping that is not changed, whose entries are attributes too."""
+
+    __slots__ = ("_entries",)
+
+    def __init__(self, entries: dict[str, Any]) -> None:
+        self._entries = entries
+
+    def __getitem__(self, name: str) -> Any:
+        return self._entries[name]
 
     def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"there is no {name!r} here; there are {', '.join(self)}") from None
+        if name.startswith("_") or name not in self._entries:
+            raise AttributeError(f"there is no {name!r} here; there are {', '.join(self._entries)}")
+        return self._entries[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self]
+        return [*super().__dir__(), *self._entries]
+
+    def __repr__(self) -> str:
+        return repr(self._entries)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Record, (self._entries,)
 
 
 class Report:
@@ -102,6 +121,8 @@ class Report:
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
+        if name == "picture":  # its own refusal ends here
+            raise AttributeError("this report has no picture")
         if self._data is None:
             self._data = json.loads(self.to_json(), object_hook=Record)
         return getattr(self._data, name)
@@ -359,8 +380,8 @@ def stiffness(document: Document | None = None, /, **data: Unpack[ConstructionDa
         :class:`Report` with the stiffnesses, ``core`` and ``layers``; in SI units where the input has units.
 
     >>> import nply
-    >>> report = nply.stiffness(nply.preset("prestressing-strand-12.70"), force="50 kN")
-    >>> report.axial_stiffness_N > 0
+    >>> report = nply.stiffness(nply.preset("rope-6x7"), force="10 kN")
+    >>> report.axial_stiffness_N > report.axial_stiffness_free_N
     True
     """
     return Report(_nply.stiffness(document, dict(data)))

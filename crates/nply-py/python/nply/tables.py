@@ -24,9 +24,9 @@ class Table:
     >>> import nply
     >>> table = nply.Table.read(nply.equilibria(3, 0.75, pretwist=-1.0))
     >>> table.columns, len(table)
-    (['row', 'handedness', 'helical_angle', 'pitch_angle', 'fold'], 3)
+    (['row', 'handedness', 'helical_angle', 'pitch_angle', 'fold'], 2)
     >>> table["handedness"]
-    array([ 1, -1, -1])
+    array([ 1, -1])
     >>> table.unit("helical_angle")
     'rad'
     """
