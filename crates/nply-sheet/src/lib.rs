@@ -32,6 +32,7 @@ mod report;
 mod solve;
 mod spec;
 mod study;
+pub mod sweep;
 pub mod table;
 mod unit;
 

@@ -7,6 +7,7 @@ use nply::Handedness;
 use nply::mechanics::Balance;
 
 use crate::key::{Group, nearest};
+use crate::sweep::SweepSpec;
 use crate::{
     Case, Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, Shape, SpecError, Table,
 };
@@ -73,6 +74,8 @@ pub struct Spec {
     pub(crate) legs: Vec<Self>,
     /// `[map]`: what changes over a rectangle.
     pub(crate) map: Option<Box<MapSpec>>,
+    /// `[sweep]`: what changes from row to row of a table.
+    pub(crate) sweep: Option<Box<SweepSpec>>,
 }
 
 /// The most legs of a path.
@@ -93,7 +96,7 @@ pub(crate) struct MapSpec {
 impl Spec {
     /// Nothing given yet.
     fn empty(start: Option<Place>) -> Self {
-        Self { entries: Vec::new(), tables: Vec::new(), start, legs: Vec::new(), map: None }
+        Self { entries: Vec::new(), tables: Vec::new(), start, legs: Vec::new(), map: None, sweep: None }
     }
 
     /// Reads flags with their values, named as in [`KEYS`], with or without dashes in front; a switch may have an empty value.
@@ -298,6 +301,11 @@ impl Spec {
     /// ```
     pub fn check_shape(&self) -> Result<Shape, SpecError> {
         Shape::of(self)
+    }
+
+    /// The same place with nothing given.
+    pub(crate) fn nothing_given(&self) -> Self {
+        Self::empty(self.start.clone())
     }
 
     /// The datum, if it was given.
