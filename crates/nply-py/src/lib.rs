@@ -13,6 +13,7 @@ mod error;
 mod refusal;
 mod shape;
 mod study;
+mod sweep;
 mod table;
 mod work;
 
@@ -39,6 +40,8 @@ mod _nply {
     use super::shape::{Chains, Mesh, centrelines, mesh, nodes, render};
     #[pymodule_export]
     use super::study::{PaperFigure, Plot, figure, figures, map, plot};
+    #[pymodule_export]
+    use super::sweep::{Sweeping, study};
     #[pymodule_export]
     use super::table::Batches;
     #[pymodule_export]

@@ -1,13 +1,12 @@
 //! Data that run: maps, plots; and the paper's figures.
 
-use std::collections::HashMap;
-
 use nply::Handedness;
 use nply::mechanics::Balance;
 use nply_sheet::figure::Figure;
 use nply_sheet::graph::{Graph, GraphCurve, GraphFlags, Scales};
 use nply_sheet::map::{Cell, Map, MapFlags, MapPicture, Tally};
 use nply_sheet::plot::Picture;
+use nply_sheet::table::arrow;
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -15,7 +14,7 @@ use pyo3::types::PyDict;
 use crate::answer::theme;
 use crate::document;
 use crate::error;
-use crate::table::{self, Batches};
+use crate::table::Batches;
 use crate::work::{alone, each};
 
 /// Points worked out between two looks at Ctrl-C, in whole rows, at most 64 of them.
@@ -35,7 +34,7 @@ pub fn map(
     let input = document::ply(document, data)?;
     let flags = MapFlags { from: document::corner("from-", from_)?, to: document::corner("to-", to)?, columns, rows };
     let map = input.spec.check_map(Some(&flags)).map_err(|refused| input.refused(&refused))?;
-    let schema = table::schema(&map.columns(), metadata(&map));
+    let schema = arrow::schema(&map.columns(), &metadata(&map));
     let (mut picture, mut tally, mut batches) = (MapPicture::new(&map), Tally::default(), Vec::new());
     let all: Vec<usize> = (0..map.y.count as usize).collect();
     let round = (STRETCH / map.x.count as usize).clamp(1, 64);
@@ -49,16 +48,16 @@ pub fn map(
             }
             map.chunk(some[0], &cells)
         })?;
-        batches.push(table::batch(&schema, chunk)?);
+        batches.push(arrow::batch(&schema, &chunk).map_err(|error| PyValueError::new_err(error.to_string()))?);
     }
     let (svg, said) = alone(py, || (picture.svg(&map), tally.text(&map)))?;
     Ok((Batches { schema, batches }, svg, said))
 }
 
 /// What a table says of itself.
-fn metadata(map: &Map) -> HashMap<String, String> {
+fn metadata(map: &Map) -> Vec<(String, String)> {
     let case = map.case();
-    let mut said: HashMap<String, String> = [
+    let mut said: Vec<(String, String)> = [
         ("program", "nply".to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("title", case.title.clone().unwrap_or_default()),

@@ -10,7 +10,6 @@ use arrow_array::{
 };
 use arrow_pyarrow::FromPyArrow;
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use nply_sheet::table::{Column, Kind, Values};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::ffi::c_str;
@@ -159,37 +158,4 @@ pub fn taken(table: &Bound<'_, PyAny>) -> PyResult<Batches> {
     let message =
         format!("a table of Arrow is wanted, which has __arrow_c_stream__ or __arrow_c_array__; {kind} has neither");
     Err(PyTypeError::new_err(message))
-}
-
-/// The heads of a table of the paperwork.
-pub fn schema(columns: &[Column], metadata: HashMap<String, String>) -> SchemaRef {
-    let field = |column: &Column| {
-        let kind = match column.kind {
-            Kind::Integer => DataType::Int64,
-            Kind::Boolean => DataType::Boolean,
-            Kind::Text => DataType::Utf8,
-            _ => DataType::Float64,
-        };
-        let field = Field::new(&column.name, kind, true);
-        match column.unit.as_str() {
-            "" => field,
-            unit => field.with_metadata(HashMap::from([("unit".to_owned(), unit.to_owned())])),
-        }
-    };
-    Arc::new(Schema::new_with_metadata(columns.iter().map(field).collect::<Vec<_>>(), metadata))
-}
-
-/// A stretch of such a table.
-pub fn batch(schema: &SchemaRef, chunk: Vec<Values>) -> PyResult<RecordBatch> {
-    let array = |values: Values| -> PyResult<ArrayRef> {
-        Ok(match values {
-            Values::Float(cells) => Arc::new(Float64Array::from(cells)),
-            Values::Integer(cells) => Arc::new(Int64Array::from(cells)),
-            Values::Boolean(cells) => Arc::new(BooleanArray::from(cells)),
-            Values::Text(cells) => Arc::new(StringArray::from(cells)),
-            other => return Err(PyTypeError::new_err(format!("{} have no place in a table", other.kind().name()))),
-        })
-    };
-    let arrays = chunk.into_iter().map(array).collect::<PyResult<Vec<_>>>()?;
-    RecordBatch::try_new(Arc::clone(schema), arrays).map_err(refused)
 }

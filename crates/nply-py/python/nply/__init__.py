@@ -8,7 +8,7 @@ One ply
 Strands and ropes of layers
     :func:`fit_check`, :func:`stiffness`.
 Studies
-    :func:`plot`, :func:`map`, and the paper's :func:`figure`.
+    :func:`plot`, :func:`map`, :func:`sweep` with :class:`Study`, :func:`solve_batch` and :mod:`nply.dask`; and the paper's :func:`figure`.
 Shapes
     :func:`mesh`, :func:`centrelines`, :func:`nodes`, :func:`render`.
 Curves
@@ -42,6 +42,7 @@ from .reports import (
 )
 from .shapes import Centreline, Centrelines, Mesh, Nodes, centrelines, mesh, nodes, render
 from .studies import Map, Plot, figure, figures, map, plot
+from .sweeps import Study, solve_batch, sweep
 from .tables import Table
 
 __all__ = [
@@ -63,6 +64,7 @@ __all__ = [
     "Report",
     "SpecError",
     "States",
+    "Study",
     "Table",
     "__version__",
     "actuator",
@@ -87,9 +89,11 @@ __all__ = [
     "set_jobs",
     "shape",
     "solve",
+    "solve_batch",
     "spin",
     "stiffness",
     "support",
+    "sweep",
     "trace",
     "twist",
     "writhe",
