@@ -3,10 +3,13 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use arrow_array::cast::AsArray;
 use arrow_array::ffi_stream::{FFI_ArrowArrayStream, RecordBatchStreamReader};
+use arrow_array::types::{
+    Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
 use arrow_array::{
     Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, RecordBatchIterator, RecordBatchReader,
-    StringArray,
 };
 use arrow_pyarrow::FromPyArrow;
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
@@ -88,37 +91,51 @@ impl Batches {
         let place = self.schema.index_of(name).map_err(|_| no_column(name))?;
         let parts: Vec<&ArrayRef> = self.batches.iter().map(|batch| batch.column(place)).collect();
         let whole = parts.iter().all(|part| part.null_count() == 0);
+        macro_rules! numbers {
+            ($kind:ty) => {{
+                let parts = parts.iter().map(|part| part.as_primitive::<$kind>());
+                if whole {
+                    let cells: Vec<_> = parts.flat_map(|part| part.values().iter().copied()).collect();
+                    Ok(cells.into_pyarray(py).into_any())
+                } else {
+                    Ok(PyList::new(py, parts.flat_map(|part| part.iter()).collect::<Vec<_>>())?.into_any())
+                }
+            }};
+        }
+        macro_rules! texts {
+            ($read:expr) => {{
+                let cells: Vec<Option<&str>> = parts.iter().flat_map($read).collect();
+                Ok(PyList::new(py, cells)?.into_any())
+            }};
+        }
         match self.schema.field(place).data_type() {
             DataType::Float64 => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<Float64Array>());
-                let cells: Vec<f64> = cells.flat_map(|part| part.iter().map(|cell| cell.unwrap_or(f64::NAN))).collect();
-                Ok(cells.into_pyarray(py).into_any())
+                let cells = parts.iter().flat_map(|part| part.as_primitive::<Float64Type>().iter());
+                Ok(cells.map(|cell| cell.unwrap_or(f64::NAN)).collect::<Vec<_>>().into_pyarray(py).into_any())
             }
-            DataType::Int64 if whole => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<Int64Array>());
-                let cells: Vec<i64> = cells.flat_map(|part| part.values().iter().copied()).collect();
-                Ok(cells.into_pyarray(py).into_any())
+            DataType::Float32 => {
+                let cells = parts.iter().flat_map(|part| part.as_primitive::<Float32Type>().iter());
+                Ok(cells.map(|cell| cell.unwrap_or(f32::NAN)).collect::<Vec<_>>().into_pyarray(py).into_any())
             }
-            DataType::Boolean if whole => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<BooleanArray>());
-                let cells: Vec<bool> = cells.flat_map(|part| part.values().iter()).collect();
-                Ok(cells.into_pyarray(py).into_any())
-            }
-            DataType::Int64 => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<Int64Array>());
-                let cells: Vec<Option<i64>> = cells.flat_map(|part| part.iter()).collect();
-                Ok(PyList::new(py, cells)?.into_any())
-            }
+            DataType::Int8 => numbers!(Int8Type),
+            DataType::Int16 => numbers!(Int16Type),
+            DataType::Int32 => numbers!(Int32Type),
+            DataType::Int64 => numbers!(Int64Type),
+            DataType::UInt8 => numbers!(UInt8Type),
+            DataType::UInt16 => numbers!(UInt16Type),
+            DataType::UInt32 => numbers!(UInt32Type),
+            DataType::UInt64 => numbers!(UInt64Type),
             DataType::Boolean => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<BooleanArray>());
-                let cells: Vec<Option<bool>> = cells.flat_map(|part| part.iter()).collect();
-                Ok(PyList::new(py, cells)?.into_any())
+                let cells: Vec<Option<bool>> = parts.iter().flat_map(|part| part.as_boolean().iter()).collect();
+                if whole {
+                    Ok(cells.into_iter().flatten().collect::<Vec<_>>().into_pyarray(py).into_any())
+                } else {
+                    Ok(PyList::new(py, cells)?.into_any())
+                }
             }
-            DataType::Utf8 => {
-                let cells = parts.iter().filter_map(|part| part.as_any().downcast_ref::<StringArray>());
-                let cells: Vec<Option<&str>> = cells.flat_map(|part| part.iter()).collect();
-                Ok(PyList::new(py, cells)?.into_any())
-            }
+            DataType::Utf8 => texts!(|part| part.as_string::<i32>().iter()),
+            DataType::LargeUtf8 => texts!(|part| part.as_string::<i64>().iter()),
+            DataType::Utf8View => texts!(|part| part.as_string_view().iter()),
             other => Err(PyTypeError::new_err(format!("column {name:?} holds {other}, which is left to Arrow"))),
         }
     }
