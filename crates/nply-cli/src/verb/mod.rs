@@ -4,6 +4,7 @@ mod actuator;
 mod clearance;
 mod contact;
 mod figure;
+mod fit;
 mod fit_check;
 mod lays;
 mod link;
@@ -51,6 +52,7 @@ static VERBS: &[&Verb] = &[
     &lays::VERB,
     &spin::VERB,
     &actuator::VERB,
+    &fit::VERB,
     &preset::VERB,
     &fit_check::VERB,
     &stiffness::VERB,

@@ -71,7 +71,7 @@ fn stretches(ply: &ExtensiblePly) -> Vec<Stretch> {
         entered = match entered {
             None => Some((angle, Some(strain))),
             Some((from, at)) => {
-                let through = at.filter(|at| *at != strain).map(|at| (at, strain));
+                let through = at.filter(|at| (at - strain).abs() > 1.0).map(|at| (at, strain));
                 list.push(Stretch { from, to: angle, through });
                 None
             }
