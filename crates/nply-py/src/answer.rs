@@ -1,6 +1,7 @@
 //! A report, in every form in which it can be written.
 
 use nply_sheet::plot::{Theme, png};
+use nply_sheet::regression::RegressionReport;
 use nply_sheet::{
     ClearanceReport, FitReport, LaysReport, LinkReport, LocusReport, PlyingReport, Report, ShapeReport,
     StiffnessReport, StringsReport, TraceReport, WritheReport,
@@ -53,6 +54,24 @@ written! {
 }
 
 impl Written for TraceReport {
+    fn text(&self) -> String {
+        Self::text(self, false)
+    }
+
+    fn json(&self) -> String {
+        Self::json(self)
+    }
+
+    fn csv(&self) -> Option<String> {
+        Some(Self::csv(self))
+    }
+
+    fn svg(&self, theme: Theme) -> Option<String> {
+        Some(self.picture().svg_in(theme))
+    }
+}
+
+impl Written for RegressionReport {
     fn text(&self) -> String {
         Self::text(self, false)
     }

@@ -1,5 +1,6 @@
 //! One question each, as the commands ask them.
 
+use nply_sheet::regression::{Measurements, RegressionQuestion, RegressionReport};
 use nply_sheet::{
     FitReport, LaysReport, LocusReport, PRESETS, PlyingReport, Preset, Report, ShapeReport, StiffnessReport,
     StringsReport, TraceReport, Walk, list_presets,
@@ -10,6 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::answer::{Answer, Written};
 use crate::document::{self, Input};
+use crate::error;
 use crate::work::alone;
 
 type Document<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -106,6 +108,30 @@ pub fn stiffness(py: Python<'_>, document: Document<'_, '_>, data: Data<'_, '_>)
     let Input { spec, .. } = &input;
     let report = alone(py, || spec.check_cable().and_then(|case| StiffnessReport::of(spec, case)))?;
     Ok(Answer::of(report.map_err(|error| input.refused(&error))?))
+}
+
+/// What is estimated from which measurements.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Estimating {
+    name: String,
+    measurements: Vec<u8>,
+    estimate: Vec<String>,
+    measured: Vec<String>,
+    held: Vec<String>,
+    errors: Vec<String>,
+    starts: Option<usize>,
+}
+
+#[pyfunction]
+pub fn fit(py: Python<'_>, document: Document<'_, '_>, data: Data<'_, '_>, estimating: Estimating) -> PyResult<Answer> {
+    let input = document::ply(document, data)?;
+    let Estimating { name, measurements, estimate, measured, held, errors, starts } = estimating;
+    let text = String::from_utf8_lossy(&measurements);
+    let found = Measurements::read(&name, &measurements).map_err(|refused| error::of_spec(&refused, Some(&text)))?;
+    let question = RegressionQuestion { estimate, measured, held, errors, starts };
+    let report = alone(py, || RegressionReport::of(&input.spec, &found, &question))?;
+    Ok(Answer::of(report.map_err(|refused| input.refused_beside(&refused, &name, found.text()))?))
 }
 
 /// The list of what comes with the program.

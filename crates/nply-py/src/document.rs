@@ -31,6 +31,14 @@ impl<S> Input<S> {
     pub fn refused(&self, error: &SpecError) -> PyErr {
         error::of_spec(error, self.text.as_deref())
     }
+
+    /// As [`Self::refused`], of something that is read beside the document.
+    pub fn refused_beside(&self, error: &SpecError, name: &str, text: &str) -> PyErr {
+        match error.place() {
+            Place::File { name: file, .. } if **file == *name => error::of_spec(error, Some(text)),
+            _ => self.refused(error),
+        }
+    }
 }
 
 /// The description of a shape: of a ply, or of a layered strand.

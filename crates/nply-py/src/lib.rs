@@ -28,7 +28,7 @@ mod _nply {
     use super::array::{contact, equilibria};
     #[pymodule_export]
     use super::ask::{
-        actuator, fit_check, lays, locus, preset, presets, shape, solve, spin, stiffness, support, trace,
+        actuator, fit, fit_check, lays, locus, preset, presets, shape, solve, spin, stiffness, support, trace,
     };
     #[pymodule_export]
     use super::curves::{clearance, link, writhe};

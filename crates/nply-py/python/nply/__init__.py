@@ -7,6 +7,8 @@ One ply
     their sources: :func:`preset`, :func:`presets`.
 Strands and ropes of layers
     :func:`fit_check`, :func:`stiffness`.
+Measurements
+    :func:`fit`.
 Studies
     :func:`plot`, :func:`map`, :func:`sweep` with :class:`Study`, :func:`solve_batch` and :mod:`nply.dask`; and the paper's :func:`figure`.
 Shapes
@@ -23,6 +25,7 @@ from ._nply import __version__, jobs, set_jobs
 from .arrays import Contacts, Equilibria, Refusals, States, contact, equilibria
 from .curves import clearance, link, twist, writhe
 from .errors import CurveError, DomainError, NplyError, ReadError, SpecError
+from .fits import fit
 from .pictures import Picture
 from .reports import (
     Record,
@@ -74,6 +77,7 @@ __all__ = [
     "equilibria",
     "figure",
     "figures",
+    "fit",
     "fit_check",
     "jobs",
     "lays",
