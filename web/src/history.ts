@@ -27,10 +27,10 @@ export class History {
     return this.#future.length > 0
   }
 
-  /** Another state; `of` names what was moved, so that a drag is undone as a whole. */
+  /** Another state; `of` names what was moved: a drag is undone as a whole, and so are changes of one thing close upon each other. */
   change(state: State, of: string, at: number): void {
     const TOGETHER = 800
-    const same = of !== '' && of === this.#last.of && at - this.#last.at < TOGETHER
+    const same = of !== '' && of === this.#last.of && (of.startsWith('drag ') || at - this.#last.at < TOGETHER)
     if (!same) {
       this.#past.push(this.#now)
       if (this.#past.length > MOST) this.#past.shift()

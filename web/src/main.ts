@@ -1,17 +1,18 @@
 // The page: a state, the solver's answer to it, and the views of both.
 
 import './styles/page.css'
-import type { Refusal, Report } from './answer.ts'
+import type { PlyState, Refusal, Report } from './answer.ts'
 import { isRefusal, STRAIGHT } from './answer.ts'
 import { begin } from './controls/presets.ts'
 import { loaded } from './controls/choice.ts'
 import { Panel } from './controls/panel.ts'
 import { byId, el } from './element.ts'
 import { forget, say, tell } from './events.ts'
+import { windowOf } from './figures/context.ts'
 import type { Context } from './figures/context.ts'
 import type { Figure } from './figures/figure.ts'
 import { History } from './history.ts'
-import { digits, scaleOf } from './reading.ts'
+import { digits, lengthUnit, scaleOf } from './reading.ts'
 import { showBalances, showNumbers, showStates, verdict } from './readout.ts'
 import { latest, Solver } from './solver/client.ts'
 import type { Answer, Curves, CurvesAsked, Hello } from './solver/messages.ts'
@@ -21,6 +22,7 @@ import { Story } from './story.ts'
 import { takeAway, takeDrops } from './take-away.ts'
 import { isDark, pressureColour } from './theme.ts'
 import { section } from './view/section.ts'
+import { drawPly } from './view/drawn.ts'
 import type { Scene } from './view/scene.ts'
 import { heightOf, shapeOf } from './view/shape.ts'
 import type { Shape } from './view/shape.ts'
@@ -35,9 +37,12 @@ let shape: Shape | null = null
 let curves: Curves | null = null
 let curvesOf = ''
 let scene: Scene | null = null
+/** Where there is no WebGL. */
+let flat: HTMLCanvasElement | null = null
 let figures: readonly Figure[] = []
 let panel: Panel | null = null
 let hello: Hello | null = null
+let numbersShown: () => void = () => {}
 /** The state to which the answer belongs. */
 let answered: State | null = null
 
@@ -61,9 +66,18 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   const got = await solver.ask('solve', { data: state.data, at: state.at, before, along: state.look.along })
   if (isRefusal(got)) {
     refusal = got.error
+    if (!answer) {
+      // there is no answer yet to stand on: the first page's, behind the sentence
+      const stand = await solver.ask('solve', { data: FIRST.data, at: null, before: null, along: state.look.along })
+      if (!isRefusal(stand)) {
+        answer = stand
+        shape = shapeOf(stand.report, stand.report.states[stand.number], stand.outline)
+      }
+      showLook(history.now)
+    }
     showPanel()
-    byId('numbers').classList.add('stale')
-    document.body.dataset['ready'] = 'yes'
+    document.body.classList.add('stale')
+    ready()
     return
   }
   refusal = null
@@ -75,12 +89,18 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   if (sameData(history.now, state)) history.amend({ ...history.now, at })
   shape = shapeOf(got.report, ply, got.outline)
   if (got.walk && told) tell(got.walk, got.report, state.look.reading)
-  byId('numbers').classList.remove('stale')
+  document.body.classList.remove('stale')
   redraw()
-  document.body.dataset['ready'] = 'yes'
   document.body.dataset['took'] = got.took.toFixed(2)
-  wantCurves(state)
+  ready()
+  wantCurves()
 })
+
+/** The first numbers, or the first refusal, are on show. */
+function ready(): void {
+  document.body.dataset['ready'] = 'yes'
+  numbersShown()
+}
 
 const askCurves = latest<{ asked: CurvesAsked; key: string }>(async ({ asked, key }) => {
   curves = await solver.ask('curves', asked)
@@ -88,15 +108,15 @@ const askCurves = latest<{ asked: CurvesAsked; key: string }>(async ({ asked, ke
   showFigures()
 })
 
-function wantCurves(state: State): void {
-  const asked = curvesAsked(state)
+function wantCurves(): void {
+  const asked = curvesAsked()
   if (!asked) return
   const key = JSON.stringify(asked)
   if (key === curvesOf) showFigures()
   else askCurves({ asked, key })
 }
 
-function curvesAsked(state: State): CurvesAsked | null {
+function curvesAsked(): CurvesAsked | null {
   if (!answer) return null
   const { report, number } = answer
   const ply = report.states[number]
@@ -104,12 +124,11 @@ function curvesAsked(state: State): CurvesAsked | null {
   const twistKind = given['strand_twist'] !== undefined ? 'strand_twist' : 'pretwist'
   const twist = ply ? (twistKind === 'pretwist' ? ply.pretwist : ply.strand_twist) : (given[twistKind] ?? 0)
   const [force, moment] = [ply?.force ?? given['force'] ?? 0, ply?.moment ?? given['moment'] ?? 0]
-  const { along } = state.look
-  const n = report.strands
-  const most = along === 'force' ? Math.max(0.6 * n, 1.25 * Math.abs(force)) : along === 'moment' ? Math.max(0.5 * n, 1.25 * Math.abs(moment)) : 2
+  const of = { report, ply, twist }
+  const windows = { pretwist: windowOf('pretwist', of), force: windowOf('force', of), moment: windowOf('moment', of) }
   return {
-    strands: n, ratio: report.stiffness_ratio, balance: report.balance ?? 'contact', twistKind, twist, pretwist: ply?.pretwist ?? twist, force, moment,
-    core: report.core_radius ?? null, supported: find === 'supported_states', along, window: [-most, most],
+    strands: report.strands, ratio: report.stiffness_ratio, balance: report.balance ?? 'contact', twistKind, twist, pretwist: ply?.pretwist ?? twist, force, moment,
+    core: report.core_radius ?? null, supported: find === 'supported_states', windows,
   }
 }
 
@@ -125,14 +144,22 @@ function redraw(): void {
   if (!answer || !shape) return
   const { report, number } = answer
   const ply = report.states[number]
-  byId('title').textContent = report.title ?? ''
+  byId('title').textContent = report.title ?? `${report.strands} strands`
+  document.title = `nply: ${report.title ?? `${report.strands} strands`}`
   byId('version').textContent = `nply ${report.version}.`
   showStates(report, number, (at) => choose(at))
-  showNumbers(ply, state.look.reading)
+  showNumbers(ply ?? straight(report, number), state.look.reading, lengthUnit(report, answer.data))
   showBalances(answer, ply)
   showNotes(report)
   showPly()
   showFigures()
+}
+
+/** What can be said of straight strands. */
+function straight(report: Report, number: number): PlyState | undefined {
+  if (number !== STRAIGHT || report.straight_holds !== true) return undefined
+  const { given } = report.question
+  return { helical_angle_deg: 0, radius_ratio: shape?.radiusRatio, ...given } as unknown as PlyState
 }
 
 /** Another state under the same data. */
@@ -143,14 +170,7 @@ function choose(at: number): void {
 }
 
 function showPanel(): void {
-  if (!panel || !answer) {
-    if (refusal) {
-      const place = byId('refusal')
-      place.hidden = false
-      place.textContent = refusal.sentence
-    }
-    return
-  }
+  if (!panel || !answer) return
   panel.show({ state: history.now, report: answer.report, ply: answer.report.states[answer.number], data: answer.data, refusal })
 }
 
@@ -179,13 +199,23 @@ function showPly(): void {
   drawShape(shape)
   const low = -heightOf(shape) / 2
   byId('section').replaceChildren(section(shape, low + heightOf(shape) * (0.04 + 0.96 * look.cut), `The cut across the ply. ${words}`))
-  if (scene) scene.canvas.setAttribute('aria-label', words)
-  else void showStill()
+  ;(scene?.canvas ?? flat)?.setAttribute('aria-label', words)
+  announce(words)
   showLegend(ply?.interstrand_pressure)
+}
+
+/** Said to those who listen, once the ply has come to rest. */
+let announcing = 0
+function announce(words: string): void {
+  clearTimeout(announcing)
+  announcing = window.setTimeout(() => {
+    if (byId('said').textContent !== words) byId('said').textContent = words
+  }, 700)
 }
 
 function drawShape(drawn: Shape): void {
   scene?.show(drawn, history.now.look)
+  if (flat) drawPly(flat, drawn, history.now.look)
 }
 
 function description(report: Report, number: number): string {
@@ -208,27 +238,10 @@ function showLegend(pressure: number | undefined): void {
   place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''}`)
 }
 
-/** Where there is no WebGL: a picture that is worked out. */
-let stillOf = ''
-async function showStill(): Promise<void> {
-  if (scene || !answer || !byId('view').dataset['still']) return
-  const state = history.now
-  const key = JSON.stringify([state.data, answer.number])
-  if (key === stillOf) return
-  stillOf = key
-  const place = byId('view')
-  const [width, height] = [Math.min(360, Math.max(160, Math.round(place.clientWidth * 0.6))), Math.min(520, Math.max(240, place.clientHeight))]
-  const picture = answer.number === STRAIGHT ? null : await solver.ask('still', { data: state.data, number: answer.number, width, height })
-  if (!picture) return
-  const canvas = el('canvas', { width: picture.width, height: picture.height, className: 'still', role: 'img', aria: { label: description(answer.report, answer.number) } })
-  canvas.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(picture.pixels), picture.width, picture.height), 0, 0)
-  place.replaceChildren(canvas)
-}
-
 function showFigures(): void {
   if (!answer || !curves) return
   const { report, number } = answer
-  const asked = curvesAsked(history.now)
+  const asked = curvesAsked()
   const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0 }
   for (const figure of figures) figure.show(context)
 }
@@ -319,53 +332,61 @@ async function begun(): Promise<void> {
     shape: drawShape,
     set: (data, at, of) => change({ ...history.now, data, at }, of),
     say: (sentence) => say(sentence, 'strong'),
+    cover: (left) => scene?.aside(left > 0 ? (left - byId('cut-panel').offsetWidth) / 2 : 0),
   })
   listen(story)
   solve({ state: history.now, of: 'history' })
+  const first = new Promise<void>((resolve) => (numbersShown = resolve))
   const take = takeAway({
     solver,
     data: () => history.now.data,
     number: () => answer?.number ?? 0,
     stripes: () => history.now.look.stripes,
-    picture: async () => (scene ? scene.png() : new Promise((resolve) => document.querySelector<HTMLCanvasElement>('canvas.still')?.toBlob(resolve) ?? resolve(null))),
+    picture: () => (scene ? scene.png() : new Promise((resolve) => (flat ? flat.toBlob(resolve) : resolve(null)))),
     open: (name, text) => void open(name, text),
   })
   byId('take').addEventListener('click', take)
   takeDrops((name, text) => void open(name, text))
   // numbers first; what is heavier comes after them
+  await first
   await Promise.all([withScene(), withFigures()])
 }
 
 async function withScene(): Promise<void> {
   const place = byId('view')
   try {
+    if (!document.createElement('canvas').getContext('webgl2')) throw new Error('no WebGL')
     const { Scene } = await import('./view/scene.ts')
     scene = new Scene(place)
-    byId('view-said').remove()
-    scene.canvas.setAttribute('role', 'img')
+    scene.canvas.tabIndex = 0
     scene.canvas.setAttribute('aria-description', 'Arrow keys turn it, plus and minus come nearer and go away, Home begins anew.')
     scene.onDraw(() => (document.body.dataset['drawn'] = 'yes'))
+    byId('view-said').remove()
   } catch {
-    place.dataset['still'] = 'yes'
-    byId('view-said').textContent = 'This browser draws nothing in three dimensions; a still picture is worked out instead.'
+    flat = el('canvas', { className: 'still' })
+    place.replaceChildren(flat)
+    byId('home').hidden = true
+    new ResizeObserver(() => shape && flat && drawPly(flat, shape, history.now.look)).observe(place)
+    document.body.dataset['drawn'] = 'flat'
   }
+  const canvas = scene?.canvas ?? flat
+  canvas?.setAttribute('role', 'img')
+  canvas?.setAttribute('aria-label', 'The ply')
   showPly()
 }
 
 async function withFigures(): Promise<void> {
   const [{ Figure }, kinds, { plane }] = await Promise.all([import('./figures/figure.ts'), import('./figures/kinds.ts'), import('./figures/plane.ts')])
-  const along = (datum: Along): void => {
-    const state = withLook(history.now, { along: datum })
-    change(state, 'along')
-    wantCurves(state)
-  }
-  const load = (force: number, moment: number, moving: boolean): void => {
+  const along = (datum: Along): void => change(withLook(history.now, { along: datum }), 'along')
+  const load = (force: number, moment: number, of: string): void => {
     if (!answer) return
     const state = loaded(history.now, force, moment, answer.report.states[answer.number], answer.report)
-    change({ ...state, at: answered?.at ?? state.at }, moving ? 'load' : 'load')
+    change({ ...state, at: answered?.at ?? state.at }, of)
   }
   figures = [plane({ load }), kinds.angle, kinds.pressures(along), kinds.pull, kinds.turn, kinds.contact].map((kind) => new Figure(kind))
-  byId('figures').replaceChildren(...figures.map((figure) => figure.element))
+  const sign = (kind: string, words: string): HTMLElement => el('span', {}, el('i', { className: `line ${kind}` }), words)
+  const key = el('p', { className: 'key' }, sign('Z', 'right-handed (Z)'), sign('S', 'left-handed (S)'), sign('pulls', 'would have to pull'))
+  byId('figures').replaceChildren(key, ...figures.map((figure) => figure.element))
   showLook(history.now)
   showFigures()
 }

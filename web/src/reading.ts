@@ -1,6 +1,6 @@
 // Numbers for a reader: six digits, as the command prints them, and units that suit.
 
-import type { PlyState, Report } from './answer.ts'
+import type { PlyState, Report, Written } from './answer.ts'
 import type { Reading } from './state.ts'
 
 export interface Read {
@@ -39,6 +39,23 @@ const KINDS = {
 } as const
 export type Kind = keyof typeof KINDS
 
+const LENGTHS: Readonly<Record<string, number>> = { km: 1e3, m: 1, cm: 1e-2, mm: 1e-3, µm: 1e-6, μm: 1e-6, um: 1e-6, nm: 1e-9, Å: 1e-10, pm: 1e-12, in: 0.0254, ft: 0.3048 }
+
+export interface LengthUnit {
+  readonly name: string
+  readonly factor: number
+}
+
+/** The unit in which lengths are written, or one that suits a strand; none where it has no size. */
+export function lengthUnit(report: Report, data: readonly Written[]): LengthUnit | null {
+  const r = report.strand_radius_m
+  if (!r) return null
+  const own = data.find((one) => one.unit !== undefined && LENGTHS[one.unit] !== undefined && one.flag !== 'strand-length' && !one.flag.includes('persistence'))
+  if (own?.unit !== undefined) return { name: own.unit, factor: LENGTHS[own.unit]! }
+  const name = r < 2e-8 ? 'nm' : r < 2e-5 ? 'µm' : r < 0.5 ? 'mm' : 'm'
+  return { name, factor: LENGTHS[name]! }
+}
+
 /** In SI with a prefix: `0.002708 m` is `2.708 mm`. Moments go by a prefix on the force and one on the length. */
 export function measured(si: number, kind: Kind, most = 6): Omit<Read, 'value'> {
   const size = Math.abs(si)
@@ -56,10 +73,11 @@ export function measured(si: number, kind: Kind, most = 6): Omit<Read, 'value'> 
 }
 
 /** A number of a state by its name in the report. */
-export function read(state: PlyState, name: string, kind: Kind, reading: Reading, most = 6): Read | null {
+export function read(state: PlyState, name: string, kind: Kind, reading: Reading, length: LengthUnit | null = null, most = 6): Read | null {
   const value = state[name]
   if (typeof value !== 'number') return null
   const si = state.si?.[name]
+  if (kind === 'length' && length && reading === 'units' && typeof si === 'number') return { number: digits(si / length.factor, most), unit: length.name, value }
   if (reading === 'units' && typeof si === 'number') return { ...measured(si, kind, most), value }
   return { number: digits(value, most), unit: KINDS[kind].radii, value }
 }

@@ -4,7 +4,7 @@ import type { PlyState, Report, Solved } from './answer.ts'
 import { signedAngle, STRAIGHT } from './answer.ts'
 import { byId, el } from './element.ts'
 import { digits, read } from './reading.ts'
-import type { Kind, Read } from './reading.ts'
+import type { Kind, LengthUnit, Read } from './reading.ts'
 import type { Reading } from './state.ts'
 
 export function verdict(state: PlyState): { words: string; kind: 'good' | 'bad' | 'plain' } {
@@ -64,7 +64,7 @@ const ROWS: readonly (readonly [string, string, Kind | 'deg' | 'number' | 'perce
   ['Hole radius', 'hole_radius', 'length'],
 ]
 
-export function showNumbers(state: PlyState | undefined, reading: Reading): void {
+export function showNumbers(state: PlyState | undefined, reading: Reading, length: LengthUnit | null): void {
   const place = byId('readout')
   if (!state) {
     place.replaceChildren()
@@ -77,7 +77,7 @@ export function showNumbers(state: PlyState | undefined, reading: Reading): void
       kind === 'deg' ? { number: digits(value), unit: '°', value }
       : kind === 'percent' ? { number: digits(value), unit: '%', value }
       : kind === 'number' ? { number: digits(value), unit: '', value }
-      : read(state, name, kind, reading)!
+      : read(state, name, kind, reading, length)!
     const number = el('dd', { data: { name, value: String(value) } }, el('b', {}, shown.number), shown.unit ? el('span', { className: 'unit' }, kind === 'deg' ? '°' : ` ${shown.unit}`) : null)
     return [el('div', {}, el('dt', {}, label), number)]
   })
@@ -93,7 +93,7 @@ function margins(state: PlyState, reading: Reading): HTMLElement[] {
     if (!limit) return []
     const si = (limit as unknown as { si?: Record<string, number> }).si?.['change']
     const size = { ...state, change: Math.abs(limit.change), si: si === undefined ? undefined : { change: Math.abs(si) } } as unknown as PlyState
-    const shown = read(size, 'change', name, reading, 4)!
+    const shown = read(size, 'change', name, reading, null, 4)!
     return [el('div', { className: 'margin' }, el('dt', {}, label), el('dd', {}, el('b', {}, shown.number), el('span', { className: 'unit' }, ` ${shown.unit}`), el('span', { className: 'cause' }, CAUSES[limit.cause] ?? limit.cause)))]
   }
   return [...of('force', 'below', 'Force may fall by'), ...of('moment', state.handedness > 0 ? 'below' : 'above', state.handedness > 0 ? 'Moment may fall by' : 'Moment may rise by')]
@@ -118,6 +118,6 @@ export function showBalances(solved: Solved, state: PlyState | undefined): void 
     el('p', {},
       el('b', {}, mine === 'contact' ? 'Contact balance ' : 'Radial balance '), angle(here), ' · ',
       el('b', {}, `${name} `), other === undefined ? 'has no such state' : angle(other),
-      difference === null ? null : el('span', { className: 'difference' }, ` · difference ${difference > 0 ? '+' : '−'}${digits(Math.abs(difference), 3)}°`)),
+      difference === null ? null : el('span', { className: 'difference' }, Math.abs(difference) < 1e-9 ? ' · no difference' : ` · difference ${difference > 0 ? '+' : '−'}${digits(Math.abs(difference), 3)}°`)),
   )
 }

@@ -61,6 +61,8 @@ export interface Telling {
   /** What a step ends with. */
   readonly set: (data: Data, at: Place, of: string) => void
   readonly say: (sentence: string) => void
+  /** So much of the view is covered from the left, in pixels. */
+  readonly cover: (left: number) => void
 }
 
 export class Story {
@@ -79,13 +81,20 @@ export class Story {
 
   begin(): void {
     this.#place.hidden = false
+    this.#cover()
     void this.#go(0)
   }
 
   end(): void {
     this.#run += 1
     this.#place.hidden = true
+    this.#cover()
     byId('story-open').focus()
+  }
+
+  #cover(): void {
+    const beside = matchMedia('(min-width: 720px)').matches && this.open
+    this.#telling.cover(beside ? this.#place.offsetWidth : 0)
   }
 
   async #go(number: number): Promise<void> {

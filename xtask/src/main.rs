@@ -1,6 +1,7 @@
 //! The workshop's commands. Standard library only, so that a fresh checkout starts at once.
 //!
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
+//!     cargo xtask soak 10       the laws ten times over, on other random states each time
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask bench         the benches
 //!     cargo xtask figures       draws the figures of docs/figures anew
@@ -9,18 +10,21 @@
 mod authorities;
 mod bench;
 mod figures;
+mod soak;
 mod step;
 mod test;
 mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|web|bench|figures|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => test::run(),
+        ["soak"] => soak::run("10"),
+        ["soak", rounds] => soak::run(rounds),
         ["web"] => web::build(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),

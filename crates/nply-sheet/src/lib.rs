@@ -19,6 +19,7 @@ mod diagnostic;
 mod dimension;
 mod double;
 pub mod figure;
+pub mod graph;
 mod key;
 pub mod map;
 pub mod mesh;

@@ -41,6 +41,14 @@ pub struct Supported<S = SupportedState> {
     pub openings_at_moment: Vec<Opening>,
 }
 
+/// The states of a case, of whatever strands.
+#[derive(Clone, Debug)]
+pub(crate) enum States {
+    Touching(Vec<Equilibrium>),
+    Supported(Vec<SupportedState>),
+    Stretched(Vec<ExtensibleState>),
+}
+
 /// Where a contact just stops pressing, and nothing else carries the strands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -128,15 +136,6 @@ impl Case {
     /// ```
     pub fn solve(&self) -> Result<Solution, DomainError> {
         let ply = self.ply(self.balance)?;
-        let on = |lay: Lay, hand: Option<Handedness>, state: &dyn Fn(HelicalAngle, Handedness) -> Found| {
-            let angle = lay.contact(self.strands)?.angle();
-            let hands = match hand {
-                Some(hand) => vec![hand],
-                None if angle.sin() == 0.0 => vec![Handedness::Right], // straight strands are one state
-                None => Handedness::BOTH.to_vec(),
-            };
-            hands.into_iter().map(|hand| state(angle, hand)).collect::<Result<Vec<_>, _>>()
-        };
         let mut straight = None;
         let mut other_balance = None;
         let mut supported = None;
@@ -153,18 +152,6 @@ impl Case {
                 }
                 ply.equilibria(twist, load)?
             }
-            Question::MomentAt { lay, hand, twist, force } => {
-                on(lay, hand, &|angle, hand| ply.moment_at(angle, hand, twist, force))?
-            }
-            Question::ForceAt { lay, hand, twist, moment } => {
-                on(lay, hand, &|angle, hand| ply.force_at(angle, hand, twist, moment))?
-            }
-            Question::PretwistAt { lay, hand, load } => {
-                on(lay, hand, &|angle, hand| ply.pretwist_at(angle, hand, load))?
-            }
-            Question::SeparationAtForce { twist, force } => ply.separation_at_force(twist, force)?,
-            Question::SeparationAtMoment { twist, moment } => ply.separation_at_moment(twist, moment)?,
-            Question::Held { twist, ends } => ply.equilibria_held(twist, ends)?,
             Question::Supported { twist, ends, core_radius } => {
                 if let Ends::Loads(load) = ends {
                     straight = Some(ply.straight_holds(twist, load));
@@ -176,11 +163,52 @@ impl Case {
                 stretched = Some(Supported::of_stretched(&ply, twist, grips)?);
                 Vec::new()
             }
+            _ => self.touching(&ply)?,
         };
         Ok(Solution { states, straight, other_balance, supported, stretched })
     }
 
-    fn ply(&self, balance: Balance) -> Result<Ply, DomainError> {
+    /// The states alone, without what a report says besides.
+    pub(crate) fn states(&self) -> Result<States, DomainError> {
+        Ok(match self.question {
+            Question::Supported { twist, ends, core_radius } => {
+                States::Supported(self.ply(self.balance)?.supported_states(twist, ends, core_radius)?)
+            }
+            Question::Stretched { ply, twist, grips } => States::Stretched(ply.states(twist, grips)?),
+            _ => States::Touching(self.touching(&self.ply(self.balance)?)?),
+        })
+    }
+
+    /// The states of strands that touch their neighbours; none where the question is another.
+    fn touching(&self, ply: &Ply) -> Result<Vec<Equilibrium>, DomainError> {
+        let on = |lay: Lay, hand: Option<Handedness>, state: &dyn Fn(HelicalAngle, Handedness) -> Found| {
+            let angle = lay.contact(self.strands)?.angle();
+            let hands = match hand {
+                Some(hand) => vec![hand],
+                None if angle.sin() == 0.0 => vec![Handedness::Right], // straight strands are one state
+                None => Handedness::BOTH.to_vec(),
+            };
+            hands.into_iter().map(|hand| state(angle, hand)).collect::<Result<Vec<_>, _>>()
+        };
+        match self.question {
+            Question::States { twist, load } => ply.equilibria(twist, load),
+            Question::MomentAt { lay, hand, twist, force } => {
+                on(lay, hand, &|angle, hand| ply.moment_at(angle, hand, twist, force))
+            }
+            Question::ForceAt { lay, hand, twist, moment } => {
+                on(lay, hand, &|angle, hand| ply.force_at(angle, hand, twist, moment))
+            }
+            Question::PretwistAt { lay, hand, load } => {
+                on(lay, hand, &|angle, hand| ply.pretwist_at(angle, hand, load))
+            }
+            Question::SeparationAtForce { twist, force } => ply.separation_at_force(twist, force),
+            Question::SeparationAtMoment { twist, moment } => ply.separation_at_moment(twist, moment),
+            Question::Held { twist, ends } => ply.equilibria_held(twist, ends),
+            Question::Supported { .. } | Question::Stretched { .. } => Ok(Vec::new()),
+        }
+    }
+
+    pub(crate) fn ply(&self, balance: Balance) -> Result<Ply, DomainError> {
         let ply = Ply::with_balance(self.strands, self.stiffness_ratio, balance)?;
         self.external_pressure.map_or(Ok(ply.clone()), |pressure| ply.with_external_pressure(pressure))
     }

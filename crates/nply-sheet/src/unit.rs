@@ -485,11 +485,18 @@ impl fmt::Display for Unit {
     }
 }
 
+/// The powers of ten that are doubles.
+const EXACT: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
 /// value·10^ten, by one rounding where |ten| ≤ 22 (such powers of ten are doubles).
 fn times_ten_to(value: f64, ten: i32) -> f64 {
     // half of it at a time, so that the power itself never overflows
     let step = |value: f64, ten: i32| {
-        let power: f64 = format!("1e{}", ten.abs()).parse().unwrap_or(f64::INFINITY);
+        let small = EXACT.get(ten.unsigned_abs() as usize).copied();
+        let power: f64 = small.unwrap_or_else(|| format!("1e{}", ten.abs()).parse().unwrap_or(f64::INFINITY));
         if ten < 0 { value / power } else { value * power }
     };
     if ten.abs() <= 300 { step(value, ten) } else { step(step(value, ten / 2), ten - ten / 2) }

@@ -56,14 +56,12 @@ pub fn presets() -> String {
 #[wasm_bindgen]
 #[must_use]
 pub fn read(name: &str, text: &str) -> String {
-    match Spec::from_toml(name, text) {
-        Ok(spec) => {
-            let data: Vec<Value> =
-                spec.written().map(|(key, text)| json!({ "flag": key.flag, "text": text })).collect();
-            json!({ "data": data, "study": spec.is_study() }).to_string()
-        }
-        Err(error) => refusal::of_document(&error, text),
-    }
+    let read = || -> Result<Value, SpecError> {
+        let written = Spec::written(name, text)?;
+        let data: Vec<Value> = written.iter().map(|(key, text)| json!({ "flag": key.flag, "text": text })).collect();
+        Ok(json!({ "data": data, "study": Spec::from_toml(name, text)?.is_study() }))
+    };
+    read().map_or_else(|error| refusal::of_document(&error, text), |read| read.to_string())
 }
 
 /// Every state of a document: `report`, as `nply solve --json` prints it; `other`, the angles in the other balance (signed: left-handed
@@ -80,7 +78,7 @@ pub fn solve(name: &str, text: &str) -> String {
 
 fn solved(name: &str, text: &str) -> Result<String, SpecError> {
     let spec = Spec::from_toml(name, text)?;
-    let data: Vec<Value> = spec.written().map(|(key, text)| datum(key.flag, text)).collect();
+    let data: Vec<Value> = Spec::written(name, text)?.iter().map(|(key, text)| datum(key.flag, text)).collect();
     let case = spec.check()?;
     let solution = case.solve().map_err(|error| case.locate(&error))?;
     let other: Option<Vec<f64>> = solution.other_balance.map(|states| {

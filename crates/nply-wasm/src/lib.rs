@@ -17,5 +17,5 @@ pub use course::{contact_diagram, course, supported_course};
 pub use document::{keys, presets, read, solve};
 pub use plane::{angle_line, locus};
 pub use shape::{outline, touching_sides};
-pub use take_away::{Still, mesh, report, still};
+pub use take_away::{mesh, report};
 pub use walk::walk;

@@ -1,7 +1,6 @@
-//! What is taken away: reports, shapes, a still picture.
+//! What is taken away: reports and shapes.
 
 use nply_sheet::mesh::{Assembly, FileUnit, Fineness, Subject, Surface, SurfaceFormat, Wanted};
-use nply_sheet::render::{Ground, Picture, View};
 use nply_sheet::{Report, Spec, SpecError};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -38,53 +37,4 @@ pub fn mesh(name: &str, text: &str, state: usize, format: &str, lay_lengths: f64
         Ok(format.write(&surface, &FileUnit::of(&ply, None, None)?))
     };
     made().unwrap_or_default()
-}
-
-/// A picture, for where the page cannot draw in three dimensions.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct Still {
-    width: u32,
-    height: u32,
-    pixels: Vec<u8>,
-}
-
-#[wasm_bindgen]
-impl Still {
-    /// Pixels across.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn width(&self) -> u32 {
-        self.width
-    }
-
-    /// Pixels up.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn height(&self) -> u32 {
-        self.height
-    }
-
-    /// Red, green, blue, opacity, row by row.
-    #[wasm_bindgen(getter)]
-    #[must_use]
-    pub fn pixels(&self) -> Vec<u8> {
-        self.pixels.clone()
-    }
-}
-
-/// The ply of a document in a state (from 1), upright, as many pixels across; `None` where there is none.
-#[wasm_bindgen]
-#[must_use]
-pub fn still(name: &str, text: &str, state: usize, width: u32, height: u32, lay_lengths: f64) -> Option<Still> {
-    let ply = Subject::of(&Spec::from_toml(name, text).ok()?, Some(state).filter(|state| *state > 0)).ok()?;
-    let core = ply.core_radius.map(|_| "");
-    let wanted = Wanted { lay_lengths: Some(lay_lengths), stripes: 3, core, ..Wanted::default() };
-    let assembly = Assembly::of(&ply, &wanted).ok()?;
-    let roll = core::f64::consts::FRAC_PI_2;
-    let view =
-        View { width, height: Some(height), roll, ground: Ground::Transparent, shadow: false, ..View::default() };
-    let picture = Picture::of(&[(&assembly, [0.0; 3])], view).ok()?;
-    let pixels = (0..height).flat_map(|row| picture.row(row)).flatten().collect();
-    Some(Still { width, height, pixels })
 }

@@ -52,7 +52,9 @@ impl Case {
         let mut count = 0;
         for (&x, row) in self.values.iter().zip(self.row()) {
             let alone = self.alone(x);
-            assert!(alone.iter().all(|state| state.contact().helical_angle() > 1e-12), "straight strands are no state");
+            // next to no twist coils the strands next to not at all
+            let straight = |state: &Equilibrium| state.contact().helical_angle() <= 1e-12 && x.abs() > 1e-9;
+            assert!(!alone.iter().any(straight), "straight strands are no state");
             count += alone.len();
             if alone.len() == row.len() {
                 row.iter().zip(&alone).for_each(|(row, alone)| self.same(x, row, alone));

@@ -92,7 +92,7 @@ fn letting_go_ends_in_the_simulated_ply() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: std::env::var("PROPTEST_CASES").ok().and_then(|c| c.parse().ok()).unwrap_or(150), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Folds, separation and the other marks lie where the direct solvers put them, to 1e-10.
     #[test]

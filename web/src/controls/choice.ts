@@ -24,6 +24,9 @@ export function endsOf(state: State): Ends {
 
 const clear = (flags: readonly string[]): Record<string, undefined> => Object.fromEntries(flags.map((flag) => [flag, undefined]))
 
+/** A load (over B/r², B/r) that is left of rounding alone. */
+const SLIGHT = 2e-5
+
 const short = (value: number): string => String(Number(value.toPrecision(6)))
 
 const lengthIn = (value: number, report: Report): string => {
@@ -85,8 +88,8 @@ export function knowTwist(state: State, flag: string, ply: PlyState | undefined,
   const ends = endsOf(state)
   const text = ply ? twistText(flag, ply, report) : '-1'
   const loads: Record<string, string | undefined> = {}
-  if (ply && ends !== 'length' && Math.abs(ply.force) > 1e-9) loads['force'] = state.data['force'] ?? forceText(ply.force, report)
-  if (ply && ends !== 'turned' && Math.abs(ply.moment) > 1e-9) loads['moment'] = state.data['moment'] ?? momentText(ply.moment, report)
+  if (ply && ends !== 'length' && Math.abs(ply.force) > SLIGHT) loads['force'] = state.data['force'] ?? forceText(ply.force, report)
+  if (ply && ends !== 'turned' && Math.abs(ply.moment) > SLIGHT) loads['moment'] = state.data['moment'] ?? momentText(ply.moment, report)
   return withData(state, { ...clear([...TWISTS, ...LAYS, 'hand', 'separation']), [flag]: text, ...loads })
 }
 
@@ -102,8 +105,8 @@ export function knowLay(state: State, flag: string, ply: PlyState | undefined, r
 export function holdEnds(state: State, ends: Ends, ply: PlyState | undefined, report: Report): State {
   const number = (name: string): number => (ply && typeof ply[name] === 'number' ? (ply[name] as number) : 0)
   const none = clear([...TURNED, ...LENGTHS])
-  const force = state.data['force'] ?? (ply && Math.abs(ply.force) > 1e-9 ? forceText(ply.force, report) : undefined)
-  const moment = state.data['moment'] ?? (ply && Math.abs(ply.moment) > 1e-9 ? momentText(ply.moment, report) : undefined)
+  const force = state.data['force'] ?? (ply && Math.abs(ply.force) > SLIGHT ? forceText(ply.force, report) : undefined)
+  const moment = state.data['moment'] ?? (ply && Math.abs(ply.moment) > SLIGHT ? momentText(ply.moment, report) : undefined)
   const turns = ply ? ply.handedness * (number('turns_per_strand_length') || Math.sin(ply.helical_angle) / (2 * Math.PI * ply.radius_ratio)) : 0.05
   switch (ends) {
     case 'turned': return withData(state, { ...none, moment: undefined, force, 'ply-turns-per-strand-length': perLength(turns, report) })

@@ -28,10 +28,10 @@ export interface PanelView {
 }
 
 const LABELS: Readonly<Record<string, string>> = {
-  strands: 'Strands', 'stiffness-ratio': 'Stiffness ratio γ = C/B', diameter: 'Strand diameter', radius: 'Strand radius', 'linear-density': 'Titre of a strand',
+  strands: 'Strands', 'stiffness-ratio': 'Stiffness ratio C/B', diameter: 'Strand diameter', radius: 'Strand radius', 'linear-density': 'Titre of a strand',
   pretwist: 'Pretwist', 'surface-angle': 'Surface angle', 'turns-per-length': 'Turns per length', turns: 'Turns', 'end-rotation': 'End rotation', 'strand-twist': 'Strand twist in the ply',
   'helical-angle': 'Lay angle', 'lay-angle': 'Lay angle', 'pitch-angle': 'Pitch angle', 'lay-length': 'Lay length', 'lay-ratio': 'Lay ratio', 'ply-turns-per-length': 'Ply turns per length',
-  'radius-ratio': 'Helix radius R/r', 'helix-radius': 'Helix radius R', force: 'Force (tension +)', moment: 'Moment (right-handed +)', 'ply-turns-per-strand-length': 'Ply turned by, per strand length',
+  'radius-ratio': 'Helix radius R/r', 'helix-radius': 'Helix radius R', force: 'Force, tension +', moment: 'Moment, Z +', 'ply-turns-per-strand-length': 'Ply turned by, per strand length',
   'ply-turns': 'Ply turned by', 'ply-rotation': 'Ply turned by', 'length-ratio': 'Ply length / strand length', 'ply-length': 'Ply length', 'support-core-radius': 'Core radius', 'support-core-diameter': 'Core diameter',
 }
 
@@ -62,12 +62,12 @@ export class Panel {
     this.#preset = el('select', { id: 'preset' }, ...presetList(presets))
     this.#preset.setAttribute('aria-describedby', 'preset-about')
     this.#preset.addEventListener('change', () => events.preset(this.#preset.value))
-    this.#know = select('know', [['twist', 'the twist put in; find the lay'], ['lay', 'the lay; find the twist that holds it']])
+    this.#know = select('know', [['twist', 'the twist put in'], ['lay', 'the lay']])
     this.#twist = select('twist-way', OFFERED_TWISTS.map((flag) => [flag, LABELS[flag]!]))
     this.#lay = select('lay-way', OFFERED_LAYS.map((flag) => [flag, LABELS[flag]!]))
     this.#hand = select('hand', [['right', 'right-handed (Z)'], ['left', 'left-handed (S)'], ['', 'both']])
-    this.#ends = select('ends', [['loads', 'free, under force and moment'], ['turned', 'cannot turn'], ['length', 'held at a length']])
-    this.#balance = select('balance', [['contact', 'contact: strands that touch'], ['radial', 'radial: as published']])
+    this.#ends = select('ends', [['loads', 'free, under loads'], ['turned', 'kept from turning'], ['length', 'held at a length']])
+    this.#balance = select('balance', [['contact', 'contact (touching)'], ['radial', 'radial (published)']])
     this.#add = el('select', { id: 'more-add' })
     this.#places = {
       ply: el('div'), strand: el('div'), twist: el('div'), ends: el('div'), core: el('div'), more: el('div', { className: 'more' }),
@@ -76,7 +76,7 @@ export class Panel {
     byId('panel').replaceChildren(
       group('Ply', labelled('Start from', this.#preset), this.#about, this.#places.ply),
       group('Twist and lay', labelled('Known is', this.#know), labelled('said as', this.#twist, 'by-twist'), labelled('said as', this.#lay, 'by-lay'), labelled('hand', this.#hand, 'by-lay'), this.#places.twist),
-      group('Ends', labelled('The ends are', this.#ends, 'by-twist'), this.#places.ends),
+      group('Ends', labelled('They are', this.#ends, 'by-twist'), this.#places.ends),
       group('Strand', this.#places.strand),
       group('Core', el('label', { className: 'tick' }, this.#core, 'a core that strands may lie on or lift off'), this.#places.core),
       group('Balance of forces', labelled('Counted as', this.#balance)),
@@ -101,7 +101,10 @@ export class Panel {
       const flag = this.#add.value
       if (!view || flag === '') return
       const key = this.#keys.get(flag)
-      const first = key?.kind === 'switch' ? 'true' : (/such as "?([^",]+?)"?(?:,| or |$)/.exec(key?.wanted ?? '')?.[1] ?? '1')
+      const r = view.report.strand_radius_m
+      // as of a solid strand of a soft polymer, E = 1 GPa: an example that suits the size
+      const example = flag === 'bending-stiffness' && r ? `${((Math.PI / 4) * 1e9 * r ** 4).toExponential(2)} N m^2` : null
+      const first = example ?? (key?.kind === 'switch' ? 'true' : (/such as "?([^",]+?)"?(?:,| or |$)/.exec(key?.wanted ?? '')?.[1] ?? '1'))
       this.#events.change(withData(view.state, { [flag]: first }), `add ${flag}`)
     })
   }

@@ -14,6 +14,11 @@ const TRADES: readonly (readonly [string, readonly string[]])[] = [
   ['From the paper', ['rubber-rods']],
 ]
 
+/** Loads that make a state of what is published as a shape alone. */
+const CHOSEN: Readonly<Record<string, { data: Data; said: string }>> = {
+  'zero-twist-rope': { data: { 'strand-twist': '0', force: '3' }, said: 'A pull of 3 B/r² on strands that hold no twist is chosen here: the moment that keeps this lay is found.' },
+}
+
 export function presetList(presets: readonly Preset[]): HTMLElement[] {
   const named = new Map(presets.map((preset) => [preset.name, preset]))
   const groups = TRADES.map(([trade, names]) => {
@@ -47,6 +52,11 @@ export function begin(preset: Preset, read: Data): { data: Data; said: string } 
     const turns = '0.05'
     data['ply-turns-per-strand-length'] = given({ data } as never, SIZES) ? turnsOf(data, 0.05) : turns
     added.push('The turns are chosen.')
+  }
+  const more = CHOSEN[preset.name]
+  if (more) {
+    Object.assign(data, more.data)
+    added.push(more.said)
   }
   return { data, said: [preset.about, `Source: ${preset.source}`, ...added].join(' ') }
 }

@@ -2,7 +2,7 @@
 
 import type { PlyState, Report } from '../answer.ts'
 import type { Curves } from '../solver/messages.ts'
-import type { State } from '../state.ts'
+import type { Along, State } from '../state.ts'
 
 export interface Context {
   readonly state: State
@@ -11,6 +11,25 @@ export interface Context {
   readonly curves: Curves
   /** The twist that is held, of the state on show. */
   readonly twist: number
+}
+
+/** From where to where a datum runs. */
+export type Window = readonly [number, number]
+
+/** A range about 0 that holds what matters, with air. */
+function about(...values: number[]): Window {
+  const most = Math.max(...values.map((value) => (Number.isFinite(value) ? Math.abs(value) : 0)))
+  return [-most, most]
+}
+
+export function windowOf(along: Along, context: Pick<Context, 'report' | 'ply' | 'twist'>): Window {
+  const { strands: n, stiffness_ratio: gamma } = context.report
+  const { force = 0, moment = 0, pretwist = 0 } = context.ply ?? {}
+  switch (along) {
+    case 'force': return about(0.6 * n, 1.25 * force)
+    case 'moment': return about(0.5 * n, 1.6 * n * Math.min(3, gamma) * Math.min(3, Math.abs(pretwist)), 1.25 * moment)
+    default: return about(2, 1.3 * pretwist)
+  }
 }
 
 /** A state on a curve. */

@@ -73,11 +73,14 @@ export class Figure {
     this.#drawing = drawing
     const picture = Plot.plot({
       width, height: this.#kind.height ?? Math.round(Math.min(300, Math.max(230, width * 0.62))), marginLeft: 46, marginRight: 14, marginTop: 22, marginBottom: 36,
-      className: 'plot', ariaLabel: this.#kind.title, ariaDescription: drawing.says, ...drawing.options,
+      className: 'plot', ...drawing.options,
     }) as SVGSVGElement & { scale: (name: string) => Plot.Scale | undefined }
     // its style sheet is the page's own (a page that forbids styles within keeps to it)
     for (const style of picture.querySelectorAll('style')) style.remove()
-    picture.setAttribute('role', 'img')
+    // read as one picture, with one sentence
+    picture.setAttribute('aria-hidden', 'true')
+    this.#place.setAttribute('role', 'img')
+    this.#place.setAttribute('aria-label', `${this.#kind.title}. ${drawing.says}`)
     this.#place.replaceChildren(picture)
     this.#kind.attach?.(picture, context)
   }

@@ -4,31 +4,13 @@ import * as Plot from '@observablehq/plot'
 import type { PlyState } from '../answer.ts'
 import { digits, scaleOf } from '../reading.ts'
 import type { Along } from '../state.ts'
-import { points } from './context.ts'
-import type { Context, Point } from './context.ts'
+import { points, windowOf } from './context.ts'
+import type { Context, Point, Window } from './context.ts'
 import type { Drawing, FigureKind } from './figure.ts'
 
 const HANDS = { 1: 'right (Z)', [-1]: 'left (S)' } as const
 const INK = { 1: 'var(--right)', [-1]: 'var(--left)' } as const
 const RULE = { stroke: 'var(--rule)' }
-
-type Window = readonly [number, number]
-
-/** A range about 0 that holds what matters, with air. */
-function about(...values: number[]): Window {
-  const most = Math.max(...values.map((value) => (Number.isFinite(value) ? Math.abs(value) : 0)))
-  return [-most, most]
-}
-
-export function windowOf(along: Along, context: Pick<Context, 'report' | 'ply' | 'twist'>): Window {
-  const { strands: n, stiffness_ratio: gamma } = context.report
-  const { force = 0, moment = 0, pretwist = 0 } = context.ply ?? {}
-  switch (along) {
-    case 'force': return about(0.6 * n, 1.25 * force)
-    case 'moment': return about(0.5 * n, 1.6 * n * Math.min(3, gamma) * Math.min(3, Math.abs(pretwist)), 1.25 * moment)
-    default: return about(2, 1.3 * pretwist)
-  }
-}
 
 /** How the datum that runs is said on an axis. */
 function axis(along: Along, context: Context, window: Window): { factor: number; label: string } {
@@ -61,7 +43,7 @@ function mark(spot: Spot | null, hand: 1 | -1): Plot.Markish[] {
 }
 
 function tips(found: readonly Point[], x: (point: Point) => number, y: (point: Point) => number, words: (point: Point) => string): Plot.Markish {
-  return Plot.tip(found, Plot.pointer({ x, y, title: words, maxRadius: 30, fontSize: 12 }))
+  return Plot.tip(found, Plot.pointer({ x, y, title: words, maxRadius: 30, fontSize: 12, lineHeight: 1.3 }))
 }
 
 const said = (point: Point): string => `${HANDS[point.hand]} ${digits(point.angle, 4)}°${point.pulls ? ', would have to pull' : ''}`
@@ -93,7 +75,7 @@ export const angle: FigureKind = {
   id: 'angle-pretwist',
   title: 'Angle against pretwist',
   about: 'Every state these strands can take as the twist put into them runs, at the loads of now. Dashed: touching strands would have to pull on each other.',
-  draw: (context) => course('pretwist', context, (point) => point.angle, (ply) => ply.helical_angle_deg, 'lay angle (°)', { y: { domain: [0, 90], label: 'lay angle (°)', grid: true, ticks: [0, 15, 30, 45, 60, 75, 90] } }),
+  draw: (context) => course('pretwist', context, (point) => point.angle, (ply) => ply.helical_angle_deg, 'lay angle (°)', { y: { domain: [0, 90], label: 'lay angle (°)', grid: true, ticks: [0, 15, 30, 45, 60, 75, 90] } }, (_, factor) => cored(context, 'pretwist', factor, 2)),
 }
 
 export const pull: FigureKind = {
@@ -115,13 +97,19 @@ export const turn: FigureKind = {
   },
 }
 
-/** States with a core, where the datum that was asked runs. */
+/** States with a core, or parted: what else the ply can do as the datum runs. */
 function cored(context: Context, along: Along, factor: number, column: number, scale = 1): Plot.Markish[] {
-  const rows = context.curves.supported
-  if (rows.length === 0 || context.state.look.along !== along) return []
+  const rows = context.curves.supported[along]
   const found: Spot[] = []
   for (let at = 0; at < rows.length; at += 8) if (rows[at + 3] !== 0) found.push({ x: rows[at]! * factor, y: rows[at + column]! * scale })
-  return [Plot.dot(found, { x: 'x', y: 'y', r: 1.6, fill: 'var(--core-ink)', clip: true })]
+  return found.length === 0 ? [] : [Plot.dot(found, { x: 'x', y: 'y', r: 1.6, fill: 'var(--core-ink)', clip: true })]
+}
+
+/** How hard the core presses in the state on show. */
+function coreNow({ ply }: Context, along: Along, factor: number, scale: number): Plot.Markish[] {
+  const pressure = ply?.core_pressure
+  if (!ply || typeof pressure !== 'number' || pressure <= 0) return []
+  return [Plot.dot([{ x: (ply[along] as number) * factor, y: pressure * scale }], { x: 'x', y: 'y', r: 5, fill: 'var(--core-ink)', stroke: 'var(--ground)', strokeWidth: 2 })]
 }
 
 export function pressures(choose: (along: Along) => void): FigureKind {
@@ -147,11 +135,11 @@ export function pressures(choose: (along: Along) => void): FigureKind {
       const window = windowOf(along, context)
       const inside = points(context.curves[along], window).filter((point) => point.datum >= window[0] && point.datum <= window[1])
       const pressing = inside.map((point) => point.pressure).filter((pressure) => pressure > 0)
-      const now = context.ply?.interstrand_pressure ?? 0
+      const now = Math.max(Math.abs(context.ply?.interstrand_pressure ?? 0), context.ply?.core_pressure ?? 0)
       const most = Math.max(0.02, 1.4 * Math.abs(now), ...pressing.map((pressure) => Math.min(pressure, 3)))
       const { factor, unit } = scaleOf(context.report, 'pressure', context.state.look.reading, most)
       const label = `p₁ (${unit})`
-      const drawing = course(along, context, (point) => point.pressure * factor, (ply) => ply.interstrand_pressure * factor, label, { y: { domain: [-0.6 * most * factor, most * factor], label, grid: true }, marginLeft: 56 }, (_, x) => [Plot.ruleY([0], { stroke: 'var(--ink-2)' }), ...cored(context, along, x, 5, factor)])
+      const drawing = course(along, context, (point) => point.pressure * factor, (ply) => ply.interstrand_pressure * factor, label, { y: { domain: [-0.6 * most * factor, most * factor], label, grid: true }, marginLeft: 56 }, (_, x) => [Plot.ruleY([0], { stroke: 'var(--ink-2)' }), ...cored(context, along, x, 5, factor), ...coreNow(context, along, x, factor)])
       return drawing
     },
   }
@@ -180,7 +168,7 @@ export const contact: FigureKind = {
           Plot.line(inside.filter((point) => point.kind === 1), { x: 'angle', y: 'x', stroke: 'var(--ink-3)', strokeDasharray: '3 3', clip: true }),
           Plot.line(inside.filter((point) => point.kind === 0), { x: 'angle', y: 'x', z: 'branch', stroke: 'var(--right)', strokeWidth: 2.4, clip: true }),
           ...(ply && shift !== null ? mark({ x: ply.helical_angle_deg, y: shift }, ply.handedness) : []),
-          Plot.tip(inside.filter((point) => point.x > window[0] && point.x < window[1]), Plot.pointer({ x: 'angle', y: 'x', maxRadius: 30, fontSize: 12, title: (point: Branch) => `${['main branch', 'trivial branch', 'satellite: tubes would overlap'][point.kind]}\nangle ${digits(point.angle, 4)}°\nx ${digits(point.x, 4)}\nR/r ${digits(point.ratio, 4)}` })),
+          Plot.tip(inside.filter((point) => point.x > window[0] && point.x < window[1]), Plot.pointer({ x: 'angle', y: 'x', maxRadius: 30, fontSize: 12, lineHeight: 1.3, title: (point: Branch) => `${['main branch', 'trivial branch', 'satellite: tubes would overlap'][point.kind]}\nangle ${digits(point.angle, 4)}°\nx ${digits(point.x, 4)}\nR/r ${digits(point.ratio, 4)}` })),
         ],
       },
       says: ply ? `At the state on show the lay angle is ${digits(ply.helical_angle_deg, 5)}° and x is ${shift === null ? 'not defined' : digits(shift, 5)}.` : 'The contact diagram.',

@@ -2,10 +2,10 @@
 
 import * as Plot from '@observablehq/plot'
 import { digits, scaleOf } from '../reading.ts'
+import { windowOf } from './context.ts'
+import type { Window } from './context.ts'
 import type { FigureKind } from './figure.ts'
-import { windowOf } from './kinds.ts'
 
-type Window = readonly [number, number]
 
 interface Locus {
   hand: 1 | -1
@@ -15,13 +15,49 @@ interface Locus {
 }
 
 export interface PlaneEvents {
-  readonly load: (force: number, moment: number, moving: boolean) => void
+  /** `of` names the drag, so that it is undone as a whole. */
+  readonly load: (force: number, moment: number, of: string) => void
 }
 
 export function plane(events: PlaneEvents): FigureKind {
   /** While a load is held the plane keeps still. */
   let held: { force: Window; moment: Window } | null = null
   let dragging = false
+  let drag = ''
+  let drags = 0
+  let here: { place: HTMLElement; forces: Window; moments: Window; at: (event: PointerEvent) => [number, number] } | null = null
+  const listening = new WeakSet<HTMLElement>()
+
+  /** Before the picture's own hover values hear of it. */
+  const listen = (place: HTMLElement): void => {
+    if (listening.has(place)) return
+    listening.add(place)
+    const end = (event: PointerEvent): void => {
+      if (!dragging || !here) return
+      const there = here.at(event)
+      dragging = false
+      held = null
+      events.load(...there, drag)
+    }
+    place.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0 || !here) return
+      event.preventDefault()
+      event.stopPropagation()
+      place.focus({ preventScroll: true })
+      place.setPointerCapture(event.pointerId)
+      held = { force: here.forces, moment: here.moments }
+      dragging = true
+      drag = `drag ${++drags}`
+      events.load(...here.at(event), drag)
+    }, true)
+    place.addEventListener('pointermove', (event) => {
+      if (!dragging || !here) return
+      event.stopPropagation()
+      events.load(...here.at(event), drag)
+    }, true)
+    place.addEventListener('pointerup', end, true)
+    place.addEventListener('pointercancel', end, true)
+  }
 
   return {
     id: 'force-moment',
@@ -58,8 +94,9 @@ export function plane(events: PlaneEvents): FigureKind {
             Plot.link(rays, { x1: 'x1', y1: 'y1', x2: 'x2', y2: 'y2', stroke: ink, strokeWidth: 0.9, strokeOpacity: 0.5, clip: true }),
             Plot.line(found, { x: 'force', y: 'moment', z: 'hand', stroke: ink, strokeWidth: 2.4, clip: true }),
             ...(ply ? [Plot.ruleX(now, { x: 'force', stroke: 'var(--now)', strokeOpacity: 0.3 }), Plot.ruleY(now, { y: 'moment', stroke: 'var(--now)', strokeOpacity: 0.3 })] : []),
+            ...(context.curves.supported.force.length > 0 ? [Plot.text(['lines of touching strands, without a core'], { frameAnchor: 'bottom-left', dx: 4, dy: -4, fill: 'var(--ink-2)' })] : []),
             Plot.dot(now, { x: 'force', y: 'moment', r: 8, fill: ply ? ink({ hand: ply.handedness }) : 'none', stroke: 'var(--ground)', strokeWidth: 2.5 }),
-            ...(dragging ? [] : [Plot.tip(inside, Plot.pointer({ x: 'force', y: 'moment', maxRadius: 14, fontSize: 12, title: (row: Locus) => `strands part: ${row.hand > 0 ? 'Z' : 'S'} ${digits(row.angle, 4)}°\nforce ${digits(row.force, 4)}\nmoment ${digits(row.moment, 4)}` }))]),
+            ...(dragging ? [] : [Plot.tip(inside, Plot.pointer({ x: 'force', y: 'moment', maxRadius: 14, fontSize: 12, lineHeight: 1.3, title: (row: Locus) => `strands part: ${row.hand > 0 ? 'Z' : 'S'} ${digits(row.angle, 4)}°\nforce ${digits(row.force, 4)}\nmoment ${digits(row.moment, 4)}` }))]),
           ],
         },
         says: ply ? `The load is ${digits(ply.force * f.factor, 5)} ${f.unit} and ${digits(ply.moment * m.factor, 5)} ${m.unit}. Use the arrow keys to move it.` : 'The plane of force and moment.',
@@ -79,7 +116,6 @@ export function plane(events: PlaneEvents): FigureKind {
       place.tabIndex = 0
       place.classList.add('plane')
       place.setAttribute('role', 'application')
-      place.setAttribute('aria-label', 'Force and moment: arrow keys move the load')
       const within = (value: number, [low, high]: Window): number => Math.min(high, Math.max(low, value))
       const at = (event: PointerEvent): [number, number] => {
         const box = (place.querySelector('svg') ?? picture).getBoundingClientRect()
@@ -87,26 +123,8 @@ export function plane(events: PlaneEvents): FigureKind {
         const up = (y.invert!(event.clientY - box.top) as number) / m.factor
         return [nice(within(across, forces), forces), nice(within(up, moments), moments)]
       }
-      place.onpointerdown = (event) => {
-        if (event.button !== 0) return
-        event.preventDefault()
-        place.focus({ preventScroll: true })
-        place.setPointerCapture(event.pointerId)
-        held = { force: forces, moment: moments }
-        dragging = true
-        events.load(...at(event), true)
-      }
-      place.onpointermove = (event) => {
-        if (dragging) events.load(...at(event), true)
-      }
-      const end = (event: PointerEvent): void => {
-        if (!dragging) return
-        dragging = false
-        held = null
-        events.load(...at(event), false)
-      }
-      place.onpointerup = end
-      place.onpointercancel = end
+      here = { place, forces, moments, at }
+      listen(place)
       place.onkeydown = (event) => {
         const { ply } = context
         const step = event.shiftKey ? 10 : 1
@@ -115,7 +133,7 @@ export function plane(events: PlaneEvents): FigureKind {
         if (!way || !ply || event.ctrlKey || event.metaKey || event.altKey) return
         event.preventDefault()
         const by = (window: Window): number => (window[1] - window[0]) / 100
-        events.load(nice(ply.force + way[0] * step * by(forces), forces), nice(ply.moment + way[1] * step * by(moments), moments), true)
+        events.load(nice(ply.force + way[0] * step * by(forces), forces), nice(ply.moment + way[1] * step * by(moments), moments), 'load')
       }
     },
   }

@@ -48,7 +48,8 @@ export interface Curves {
   readonly pretwist: Float64Array
   readonly force: Float64Array
   readonly moment: Float64Array
-  readonly supported: Float64Array
+  /** States with a core, or that may part, as each datum runs; empty where the document asks for touching strands alone. */
+  readonly supported: Readonly<Record<Along, Float64Array>>
   readonly locus: Float64Array
   readonly lines: readonly AngleLine[]
   readonly contact: Float64Array
@@ -91,12 +92,6 @@ export interface Leg {
   readonly place: Place
 }
 
-export interface Picture {
-  readonly width: number
-  readonly height: number
-  readonly pixels: Uint8Array
-}
-
 /** Every question with its answer. */
 export interface Exchange {
   hello: { ask: Record<string, never>; answer: Hello }
@@ -105,7 +100,6 @@ export interface Exchange {
   open: { ask: { name: string; text: string }; answer: Opened | { error: Refusal } }
   report: { ask: { data: Data; format: 'text' | 'csv' | 'json' | 'toml' }; answer: { text: string } | { error: Refusal } }
   mesh: { ask: { data: Data; number: number; format: 'stl' | 'glb'; stripes: number }; answer: Uint8Array }
-  still: { ask: { data: Data; number: number; width: number; height: number }; answer: Picture | null }
   outline: { ask: { strands: number; angle: number; ratio: number; hand: number }; answer: Outline }
   leg: { ask: Leg; answer: Walk | null }
 }
@@ -121,8 +115,7 @@ export interface CurvesAsked {
   readonly moment: number
   readonly core: number | null
   readonly supported: boolean
-  readonly along: Along
-  readonly window: readonly [number, number]
+  readonly windows: Readonly<Record<Along, readonly [number, number]>>
 }
 
 export type Ask = { [K in keyof Exchange]: { id: number; kind: K; ask: Exchange[K]['ask'] } }[keyof Exchange]

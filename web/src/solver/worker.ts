@@ -6,6 +6,7 @@ import { chosen, isRefusal, signedAngle } from '../answer.ts'
 import type { Refusal, Report, Solved, Walk } from '../answer.ts'
 import { NAME, toToml } from '../document.ts'
 import type { Key } from '../document.ts'
+import type { Along } from '../state.ts'
 import type { AngleLine, Answer, Ask, Before, Curves, CurvesAsked, Exchange, Hello, Leg, Outline, Question, Refused } from './messages.ts'
 
 type Doors = { [K in keyof Exchange]: (ask: Exchange[K]['ask']) => Exchange[K]['answer'] }
@@ -45,6 +46,10 @@ const doors: Doors = {
   curves(asked: CurvesAsked): Curves {
     const { strands, ratio, balance, twistKind, twist, force, moment } = asked
     const along = (datum: string) => nply.course(strands, ratio, balance, datum, twistKind, twist, force, moment, POINTS.course)
+    const round = (datum: Along) =>
+      asked.supported
+        ? nply.supported_course(strands, ratio, asked.core ?? NaN, datum, twistKind, twist, force, moment, ...asked.windows[datum], POINTS.supported)
+        : new Float64Array()
     const lines: AngleLine[] = []
     for (const hand of [1, -1] as const) {
       for (const degrees of LINES) {
@@ -57,9 +62,7 @@ const doors: Doors = {
       pretwist: along('pretwist'),
       force: along('force'),
       moment: along('moment'),
-      supported: asked.supported
-        ? nply.supported_course(strands, ratio, asked.core ?? NaN, asked.along, twistKind, twist, force, moment, ...asked.window, POINTS.supported)
-        : new Float64Array(),
+      supported: { pretwist: round('pretwist'), force: round('force'), moment: round('moment') },
       locus: nply.locus(strands, ratio, twistKind, twist, POINTS.locus),
       lines,
       contact: contacts.rows,
@@ -80,14 +83,6 @@ const doors: Doors = {
 
   mesh({ data, number, format, stripes }) {
     return nply.mesh(NAME, toToml(data, keys), number + 1, format, 3, stripes)
-  },
-
-  still({ data, number, width, height }) {
-    const picture = nply.still(NAME, toToml(data, keys), number + 1, width, height, 1.5)
-    if (!picture) return null
-    const taken = { width: picture.width, height: picture.height, pixels: picture.pixels }
-    picture.free()
-    return taken
   },
 
   outline({ strands, angle, ratio, hand }) {

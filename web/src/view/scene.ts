@@ -44,7 +44,7 @@ const PAINT = /* glsl */ `
 uniform float uLow, uHigh, uStripes, uTouch, uOnCore, uPaint;
 uniform vec2 uSides; uniform vec3 uPress;
 varying float vHeight, vAlpha, vMaterial;
-float near(float a, float b) { float d = mod(a - b + 3.14159265, 6.2831853) - 3.14159265; return exp(-d * d / 0.10); }`
+float near(float a, float b) { float d = mod(a - b + 3.14159265, 6.2831853) - 3.14159265; return exp(-d * d / 0.55); }`
 
 const COLOUR = /* glsl */ `
 if (vHeight < uLow || vHeight > uHigh) discard;
@@ -53,7 +53,7 @@ float edge = fwidth(turn);
 float into = fract(turn);
 float stripe = uStripes > 0.0 ? smoothstep(0.0, edge, into) - smoothstep(0.26 - edge, 0.26, into) : 0.0;
 stripe *= 1.0 - smoothstep(0.25, 0.8, edge);
-diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.55), uPaint * 0.82);
+diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.30), uPaint * 0.85);
 diffuseColor.rgb = mix(diffuseColor.rgb, mix(diffuseColor.rgb, vec3(1.0), 0.62), stripe * (1.0 - 0.6 * uPaint));
 float touch = uTouch * max(near(vAlpha, uSides.x), near(vAlpha, uSides.y));
 touch = max(touch, uOnCore * near(vAlpha, 1.5707963));
@@ -76,6 +76,7 @@ export class Scene {
   #shape: Shape | null = null
   #look: Look | null = null
   #moves: (() => void)[] = []
+  #right = 0
 
   /** Throws where there is no WebGL. */
   constructor(place: HTMLElement) {
@@ -234,9 +235,22 @@ export class Scene {
     this.#lines.instanceMatrix.needsUpdate = true
   }
 
+  /** Stands so many pixels to the right of the middle. */
+  aside(right: number): void {
+    this.#right = right
+    this.#frame()
+    this.draw()
+  }
+
+  #frame(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas
+    if (this.#right !== 0 && width > 0) this.#camera.setViewOffset(width, height, -this.#right, 0, width, height)
+    else this.#camera.clearViewOffset()
+  }
+
   /** Back to where one begins to look. */
   home(): void {
-    this.#camera.position.set(0, 13, 41)
+    this.#camera.position.set(0, 12, 36)
     this.#controls.target.set(0, 0, 0)
     this.#controls.update()
     this.draw()
@@ -277,8 +291,9 @@ export class Scene {
     this.#camera.aspect = width / height
     // narrow places show as much of the ply as wide ones
     this.#camera.fov = width / height < 0.62 ? 26 * (0.62 / (width / height)) : 26
+    this.#frame()
     this.#camera.updateProjectionMatrix()
-    this.draw()
+    this.#renderer.render(this.#scene, this.#camera) // at once: a new size wipes the picture
   }
 
   /** Once for each frame, however often it is asked for. */

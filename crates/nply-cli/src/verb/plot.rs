@@ -6,8 +6,8 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply::Handedness;
 use nply::mechanics::Balance;
+use nply_sheet::graph::{GraphFlags, Scales};
 use nply_sheet::plot::Theme;
-use nply_sheet::sweep::{Scales, SweepFlags};
 
 use super::Verb;
 use crate::arguments::with_keys;
@@ -97,7 +97,7 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let words = |name: &str| arguments.get_many::<String>(name).into_iter().flatten().cloned().collect::<Vec<String>>();
     let both = |words: &[String], name: &str| words.iter().any(|word| word == name || word == "both");
     let (hands, balances) = (words("hands"), words("balances"));
-    let flags = SweepFlags {
+    let flags = GraphFlags {
         sweep: arguments.get_one::<String>("sweep").cloned().unwrap_or_default(),
         ask: words("ask"),
         against: arguments.get_one::<String>("against").cloned(),
@@ -110,22 +110,22 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
             .collect(),
         scales: Scales { log_x: arguments.get_flag("log-x"), log_y: arguments.get_flag("log-y") },
     };
-    let sweep = input.spec.check_sweep(&flags).map_err(|error| input.refused(error))?;
-    let curves = sweep.curves();
+    let graph = input.spec.check_graph(&flags).map_err(|error| input.refused(error))?;
+    let curves = graph.curves();
     let output = arguments.get_one::<String>("output");
     if let Some(path) = output {
         if Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
             let mut draft = Draft::new(path)?;
-            draft.write(sweep.csv(&curves).as_bytes())?;
+            draft.write(graph.csv(&curves).as_bytes())?;
             draft.keep()?;
         } else {
             let theme = if arguments.get_flag("dark") { Theme::Dark } else { Theme::Light };
-            output::picture(path, &sweep.picture(&curves).svg_in(theme), arguments)?;
+            output::picture(path, &graph.picture(&curves).svg_in(theme), arguments)?;
         }
     }
     if output.is_none() || arguments.get_flag("term") {
         let (width, height) = output::terminal();
-        let charts = sweep.charts(&curves);
+        let charts = graph.charts(&curves);
         let each = (height / charts.len().max(1)).max(12);
         let text: Vec<String> = charts.iter().map(|chart| chart.text(width, each)).collect();
         return output::write(&text.join("\n"));

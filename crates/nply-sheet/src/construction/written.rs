@@ -185,13 +185,7 @@ impl ConstructionSpec {
                     .of_key(flag)
                     .with_help(help));
             };
-            let entry = Entry {
-                key,
-                value: read_text(key, value, &place)?,
-                place,
-                written: crate::quoted(value),
-                text: value.to_owned(),
-            };
+            let entry = Entry { key, value: read_text(key, value, &place)?, place, written: crate::quoted(value) };
             if key.table != Table::Layer {
                 if head.iter().any(|other| other.key.datum == key.datum) {
                     return Err(entry.error(ErrorKind::Contradiction, "this flag is given twice; give it once"));

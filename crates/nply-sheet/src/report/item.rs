@@ -17,7 +17,7 @@ pub(super) struct Item<T> {
     pub(super) label: &'static str,
     heading: &'static str,
     pub(super) measure: Measure,
-    value: fn(&T) -> Option<f64>,
+    pub(super) value: fn(&T) -> Option<f64>,
 }
 
 pub(super) const fn item<T>(

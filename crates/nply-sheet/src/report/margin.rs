@@ -50,6 +50,20 @@ impl Margins {
     /// For a state that has nothing to lose.
     pub(super) const NONE: Self = Self([None; 5]);
 
+    fn limit(&self, change: Change, below: bool) -> Option<Limit> {
+        self.get(change).and_then(|margin| if below { margin.below } else { margin.above })
+    }
+
+    /// How far a datum can go on one side.
+    pub(super) fn change(&self, change: Change, below: bool) -> Option<f64> {
+        self.limit(change, below).map(|limit| change_of(change, &limit))
+    }
+
+    /// What is met there, by name.
+    pub(super) fn cause(&self, change: Change, below: bool) -> Option<&'static str> {
+        self.limit(change, below).map(|limit| limit.cause.name())
+    }
+
     fn get(&self, change: Change) -> Option<Margin> {
         Change::ALL.iter().zip(self.0).find(|(other, _)| **other == change).and_then(|(_, margin)| margin)
     }
@@ -78,7 +92,7 @@ fn change_of(change: Change, limit: &Limit) -> f64 {
     if change == Change::Turns { limit.change / TAU } else { limit.change }
 }
 
-const fn measure(change: Change) -> Measure {
+pub(super) const fn measure(change: Change) -> Measure {
     match change {
         Change::Force | Change::ForceEndsHeld => Measure::Force,
         Change::Moment => Measure::Moment,
@@ -192,11 +206,10 @@ pub(super) fn csv_head(known: Known) -> Vec<String> {
 pub(super) fn csv_cells(margins: &Margins, known: Known) -> Vec<String> {
     sides()
         .flat_map(|(change, side)| {
-            let limit =
-                margins.get(change).and_then(|margin| if side == "below" { margin.below } else { margin.above });
-            let value = super::column::written(limit.map(|limit| change_of(change, &limit)));
+            let below = side == "below";
+            let value = super::column::written(margins.change(change, below));
             let text = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
-            let cause = limit.map_or("", |limit| limit.cause.name()).to_owned();
+            let cause = margins.cause(change, below).unwrap_or_default().to_owned();
             let si = measure(change).si(known).map(|(factor, _)| text(value.map(|value| value * factor)));
             [Some(text(value)), Some(cause), si].into_iter().flatten()
         })

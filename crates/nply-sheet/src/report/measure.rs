@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nply::Scale;
 
-use crate::{Dimension, PreferredUnits};
+use crate::{Dimension, PreferredUnits, Unit};
 
 /// The dimension of a reported quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -123,6 +123,31 @@ impl Measure {
         match known.strand_radius {
             Some(_) => Self::turning(known, units, largest),
             None => Self::Number.reading(known, units, largest),
+        }
+    }
+
+    /// The factor from the dimensionless value to a unit; `None` where the sizes it takes are not known.
+    pub(crate) fn factor(self, known: Known, unit: &Unit) -> Option<f64> {
+        let (si, _) = self.si(known)?;
+        // units of turns are angles, in rad
+        Some(unit.of_si(if self == Self::TurnsPerLength { TAU * si } else { si }))
+    }
+
+    /// What its units measure; none of a pure number.
+    pub(crate) fn dimension(self) -> Option<Dimension> {
+        let angle = Dimension::ANGLE_PER_LENGTH.times(Dimension::LENGTH, 1);
+        match self {
+            Self::Number | Self::Percent | Self::Degrees | Self::Turns => None,
+            Self::Length => Some(Dimension::LENGTH),
+            Self::TurnsPerLength => Some(Dimension::ANGLE_PER_LENGTH),
+            Self::PerLength => Some(Dimension::PER_LENGTH),
+            Self::Force => Some(Dimension::FORCE),
+            Self::Moment => Some(Dimension::MOMENT),
+            Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
+            Self::Stiffness => Some(Dimension::STIFFNESS),
+            Self::Stress => Some(Dimension::PRESSURE),
+            Self::AnglePerForce => angle?.times(Dimension::FORCE, -1),
+            Self::AnglePerMoment => angle?.times(Dimension::MOMENT, -1),
         }
     }
 

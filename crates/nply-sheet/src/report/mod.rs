@@ -1,5 +1,6 @@
 //! What a person reads out: one report, rendered as a table, as JSON or as CSV.
 
+mod catalogue;
 mod clearance;
 mod column;
 mod csv;
@@ -28,6 +29,7 @@ mod writhe;
 use nply::Handedness;
 use nply::mechanics::{Axial, Balance, Ends, Equilibrium, Turning};
 
+pub(crate) use catalogue::{Find, Found, Given, Listed, StateKind};
 pub use clearance::ClearanceReport;
 pub use column::{COLUMNS, Column, Section};
 pub use curve::Extension;

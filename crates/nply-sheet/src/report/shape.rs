@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use nply::geometry::{Branch, BranchKind, Contact, DensestHelix, HelicalAngle, Section, branches};
+use nply::geometry::{Branch, BranchKind, Contact, DensestHelix, Section, branches};
 use serde_json::{Map, Value, json};
 
 use super::json::header;
@@ -30,12 +30,36 @@ pub struct ShapeReport {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Geometry {
-    Ply { contact: Contact, convex: bool, non_convex: HelicalAngle },
+    Ply { contact: Contact, convex: bool },
     Single(DensestHelix),
 }
 
 /// A reported length, angle or ratio: name in JSON, words, kind, value.
 type Item = (&'static str, &'static str, Measure, f64);
+
+/// Every number of the contact of neighbours: name, words, kind, dimensionless value.
+pub(super) const CONTACT: &[(&str, &str, Measure, fn(&Contact) -> f64)] = {
+    use Measure::{Degrees, Length, Number, PerLength, TurnsPerLength};
+    &[
+        ("helical_angle_deg", "helical angle (lay angle)", Degrees, |c| c.angle().degrees()),
+        ("pitch_angle_deg", "pitch angle", Degrees, |c| c.pitch_angle().to_degrees()),
+        ("lay_length", "lay length", Length, Contact::lay_length),
+        ("lay_ratio", "lay ratio (lay length/outer diameter)", Number, Contact::lay_ratio),
+        ("turns_per_ply_length", "turns per ply length", TurnsPerLength, |c| 1.0 / c.lay_length()),
+        ("radius_ratio", "helix radius/strand radius", Number, Contact::radius_ratio),
+        ("radius_ratio_slope", "its slope by helical angle, per rad", Number, Contact::radius_ratio_slope),
+        ("outer_diameter", "outer diameter", Length, |c| 2.0 * c.outer_radius()),
+        ("hole_radius", "hole radius", Length, Contact::hole_radius),
+        ("contact_line_radius", "contact line radius", Length, Contact::contact_line_radius),
+        ("arclength_shift", "arclength shift/helix radius", Number, Contact::arclength_shift),
+        ("shift_ratio_squared", "(arclength shift/strand diameter)²", Number, Contact::shift_ratio_squared),
+        ("curvature", "curvature of a strand", PerLength, Contact::curvature),
+        ("torsion", "torsion of a strand", PerLength, Contact::torsion),
+        ("non_convex_angle_deg", "cut not convex above", Degrees, |c| {
+            Section::non_convex_angle(c.strands()).map_or(f64::NAN, |angle| angle.degrees())
+        }),
+    ]
+};
 
 impl ShapeReport {
     /// Finds the contact, and up to `most` solutions of the contact condition, satellites included.
@@ -49,14 +73,13 @@ impl ShapeReport {
         let located = |error| shape.locate(&error);
         let contact = lay.contact(shape.strands).map_err(located)?;
         let convex = Section::new(&contact, nply::Handedness::Right).is_convex();
-        let non_convex = Section::non_convex_angle(shape.strands).map_err(located)?;
         let found =
             if most > 0 { branches(shape.strands, contact.angle(), most).map_err(located)? } else { Vec::new() };
-        Ok(Self { shape, geometry: Geometry::Ply { contact, convex, non_convex }, branches: found })
+        Ok(Self { shape, geometry: Geometry::Ply { contact, convex }, branches: found })
     }
 
     fn items(&self) -> Vec<Item> {
-        use Measure::{Degrees, Length, Number, PerLength, TurnsPerLength};
+        use Measure::{Degrees, Length, Number, PerLength};
         match &self.geometry {
             Geometry::Single(helix) => vec![
                 ("helical_angle_deg", "helical angle (lay angle)", Degrees, helix.angle().degrees()),
@@ -66,23 +89,10 @@ impl ShapeReport {
                 ("lay_length", "pitch", Length, helix.pitch()),
                 ("curvature", "curvature", PerLength, 1.0),
             ],
-            Geometry::Ply { contact, non_convex, .. } => vec![
-                ("helical_angle_deg", "helical angle (lay angle)", Degrees, contact.angle().degrees()),
-                ("pitch_angle_deg", "pitch angle", Degrees, contact.pitch_angle().to_degrees()),
-                ("lay_length", "lay length", Length, contact.lay_length()),
-                ("lay_ratio", "lay ratio (lay length/outer diameter)", Number, contact.lay_ratio()),
-                ("turns_per_ply_length", "turns per ply length", TurnsPerLength, 1.0 / contact.lay_length()),
-                ("radius_ratio", "helix radius/strand radius", Number, contact.radius_ratio()),
-                ("radius_ratio_slope", "its slope by helical angle, per rad", Number, contact.radius_ratio_slope()),
-                ("outer_diameter", "outer diameter", Length, 2.0 * contact.outer_radius()),
-                ("hole_radius", "hole radius", Length, contact.hole_radius()),
-                ("contact_line_radius", "contact line radius", Length, contact.contact_line_radius()),
-                ("arclength_shift", "arclength shift/helix radius", Number, contact.arclength_shift()),
-                ("shift_ratio_squared", "(arclength shift/strand diameter)²", Number, contact.shift_ratio_squared()),
-                ("curvature", "curvature of a strand", PerLength, contact.curvature()),
-                ("torsion", "torsion of a strand", PerLength, contact.torsion()),
-                ("non_convex_angle_deg", "cut not convex above", Degrees, non_convex.degrees()),
-            ],
+            Geometry::Ply { contact, .. } => {
+                let value = |of: fn(&Contact) -> f64| of(contact);
+                CONTACT.iter().map(|(name, label, measure, of)| (*name, *label, *measure, value(*of))).collect()
+            }
         }
     }
 

@@ -8,6 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Entry, MOST_LEGS, MapSpec, Spec, Value, read_text};
 use crate::key::nearest;
+use crate::sweep::SweepSpec;
 use crate::{ErrorKind, KEYS, Key, Kind, Place, SpecError, Table};
 
 impl Spec {
@@ -47,6 +48,9 @@ impl Spec {
                 }
                 ("map", DeValue::Table(content)) => {
                     spec.map = Some(Box::new(MapSpec::read(content, text, &place, place(header.span()))?));
+                }
+                ("sweep", DeValue::Table(content)) => {
+                    spec.sweep = Some(Box::new(SweepSpec::read(content, text, &place, place(header.span()))?));
                 }
                 _ => spec.read_table(header, value, text, &place)?,
             }
@@ -219,7 +223,7 @@ pub(crate) fn ticked(name: &str) -> String {
     format!("`{}`", shown.trim_matches('"'))
 }
 
-fn unknown_table(written: &str, is_table: bool, place: Place) -> SpecError {
+pub(crate) fn unknown_table(written: &str, is_table: bool, place: Place) -> SpecError {
     let belongs = tables_of(written).filter(|_| !is_table);
     let help = match &belongs {
         Some(tables) => Some(format!("it belongs below {tables}")),
@@ -227,8 +231,7 @@ fn unknown_table(written: &str, is_table: bool, place: Place) -> SpecError {
             nearest(written, Table::ALL.into_iter().map(Table::name)).map(|name| format!("did you mean `[{name}]`?"))
         }
     };
-    let tables =
-        "the tables are [ply], [strand], [twist], [lay], [load], [ends] and [support], for studies [[path]] and [map]";
+    let tables = "the tables are [ply], [strand], [twist], [lay], [load], [ends] and [support], for studies [[path]], [map] and [sweep]";
     let message = match belongs {
         Some(_) => format!("{} stands in no table", ticked(written)),
         None => format!("{} is no table of a ply: {tables}", ticked(written)),
@@ -243,7 +246,7 @@ fn tables_of(name: &str) -> Option<String> {
     (!tables.is_empty()).then(|| tables.join(" or "))
 }
 
-fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
+pub(crate) fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
     let of_table = || KEYS.iter().filter(move |key| key.table == table);
     let help = match tables_of(written) {
         Some(tables) => Some(format!("it belongs below {tables}")),
@@ -268,11 +271,6 @@ pub(crate) fn read_toml(
     place: Place,
 ) -> Result<Entry, SpecError> {
     let written = text.get(value.span()).unwrap_or("");
-    let content = match value.get_ref() {
-        DeValue::String(content) => content.as_ref(),
-        _ => written,
-    };
-    let content = content.to_owned();
     let written = crate::quoted(written);
     // the marks of `quoted` go: the file's own are already there
     let written = written.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or("").replace("\\\"", "\"");
@@ -301,5 +299,5 @@ pub(crate) fn read_toml(
         DeValue::Array(_) => return Err(wrong("a list")),
         DeValue::Table(_) => return Err(wrong("a table")),
     };
-    Ok(Entry { key, value: read, place, written, text: content })
+    Ok(Entry { key, value: read, place, written })
 }

@@ -2,11 +2,13 @@
 
 pub(crate) mod file;
 mod hand;
+mod written;
 
 use nply::Handedness;
 use nply::mechanics::Balance;
 
 use crate::key::{Group, nearest};
+use crate::sweep::SweepSpec;
 use crate::{
     Case, Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, Shape, SpecError, Table,
 };
@@ -29,8 +31,6 @@ pub(crate) struct Entry {
     pub(crate) place: Place,
     /// As written, for messages: `"0.5 mm"` with its marks, `3` without.
     pub(crate) written: String,
-    /// What stands between the marks, whole: `0.5 mm`.
-    pub(crate) text: String,
 }
 
 impl Entry {
@@ -75,6 +75,8 @@ pub struct Spec {
     pub(crate) legs: Vec<Self>,
     /// `[map]`: what changes over a rectangle.
     pub(crate) map: Option<Box<MapSpec>>,
+    /// `[sweep]`: what changes from row to row of a table.
+    pub(crate) sweep: Option<Box<SweepSpec>>,
 }
 
 /// The most legs of a path.
@@ -95,7 +97,7 @@ pub(crate) struct MapSpec {
 impl Spec {
     /// Nothing given yet.
     fn empty(start: Option<Place>) -> Self {
-        Self { entries: Vec::new(), tables: Vec::new(), start, legs: Vec::new(), map: None }
+        Self { entries: Vec::new(), tables: Vec::new(), start, legs: Vec::new(), map: None, sweep: None }
     }
 
     /// Reads flags with their values, named as in [`KEYS`], with or without dashes in front; a switch may have an empty value.
@@ -138,33 +140,13 @@ impl Spec {
                     .of_key(flag)
                     .with_help(help));
             };
-            let entry = Entry {
-                key,
-                value: read_text(key, value, &place)?,
-                place,
-                written: crate::quoted(value),
-                text: value.to_owned(),
-            };
+            let entry = Entry { key, value: read_text(key, value, &place)?, place, written: crate::quoted(value) };
             if spec.get(key.datum).is_some() {
                 return Err(entry.error(ErrorKind::Contradiction, "this flag is given twice; give it once"));
             }
             spec.entries.push(entry);
         }
         Ok(spec)
-    }
-
-    /// Every datum as it was given, in the order in which it was given: its key, and what was written without quotation marks. Written
-    /// back as TOML, or as flags, they are the same description; legs of a path and the corners of a map are not among them, see
-    /// [`Spec::is_study`].
-    ///
-    /// ```
-    /// let spec = nply_sheet::Spec::from_toml("ply.toml", "ply.strands = 3\nstrand.diameter = \"0.5 mm\"\n")?;
-    /// let written: Vec<_> = spec.written().map(|(key, text)| (key.flag, text)).collect();
-    /// assert_eq!(written, [("strands", "3"), ("diameter", "0.5 mm")]);
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn written(&self) -> impl Iterator<Item = (&'static Key, &str)> {
-        self.entries.iter().map(|entry| (entry.key, entry.text.as_str()))
     }
 
     /// Whether it says what changes, beside what there is: `[[path]]` or `[map]`.
@@ -332,6 +314,11 @@ impl Spec {
     /// ```
     pub fn check_shape(&self) -> Result<Shape, SpecError> {
         Shape::of(self)
+    }
+
+    /// The same place with nothing given.
+    pub(crate) fn nothing_given(&self) -> Self {
+        Self::empty(self.start.clone())
     }
 
     /// The datum, if it was given.

@@ -1,219 +1,652 @@
-//! One datum that runs, and what is asked of every state on the way: several plies, hands and balances in one picture.
+//! Studies: a table with a row for each set of data, and what is asked of its states in columns beside them.
+//!
+//! A [`Study`] is a description of a ply, what varies in it, and what is asked. Any row can be worked out by itself, so that a door may share
+//! rows out among threads, processes and machines: the answer depends neither on the stretch it is asked in nor on what was asked before.
 
+#[cfg(feature = "parquet")]
+mod arrow;
 mod ask;
-mod course;
-mod csv;
-mod curve;
-mod picture;
-mod window;
+mod fast;
+mod follow;
+mod plan;
+mod run;
+mod sample;
+mod sink;
+mod written;
 
-use nply::Handedness;
-use nply::mechanics::{Balance, Ply};
+pub use follow::Trail;
+pub use sample::Sample;
+pub use written::SweepFlags;
+pub(crate) use written::SweepSpec;
 
-use crate::map::Axis;
-use crate::report::{Column, Known, Measure, Reading, data_of};
+use crate::report::StateKind;
 use crate::spec::Spec;
-use crate::{Case, ErrorKind, Lay, Place, Question, SpecError, Table};
-use course::Course;
-pub use curve::{SweepCurve, SweepPoint};
-pub use window::Scales;
+use crate::table::{Column, Values};
+use crate::{ErrorKind, Place, SpecError, Unit, quoted};
+use plan::{GivenKey, Plan};
+use run::Run;
+use sample::Points;
 
-/// What a sweep asks besides the ply.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SweepFlags {
-    /// What runs, from where to where: `twist.pretwist=-3..3`, `force=0..2 kN`, `lay.helical_angle=0 deg..80 deg`.
-    pub sweep: String,
-    /// What is asked of each state: names of [`COLUMNS`](crate::COLUMNS), without unit if you like.
-    pub ask: Vec<String>,
-    /// What runs along the axis instead of the datum, likewise.
-    pub against: Option<String>,
-    /// The numbers of strands; none for that of the ply.
-    pub strands: Vec<u32>,
-    /// The balances; none for that of the ply.
-    pub balances: Vec<Balance>,
-    /// The hands; none for both.
-    pub hands: Vec<Handedness>,
-    /// Which axes are logarithmic.
-    pub scales: Scales,
+/// Which states of a row are told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum States {
+    /// Every one, a row of the table each.
+    #[default]
+    All,
+    /// Those that are stable.
+    Stable,
+    /// The one that is followed from the row before, along what varies fastest.
+    Continued,
 }
 
-/// A sweep that is understood: every number of it is at hand, nothing is worked out yet.
+/// How the values of several data go together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Order {
+    /// Each with each; the last varies fastest.
+    #[default]
+    Grid,
+    /// The first with the first, the second with the second.
+    Zip,
+}
+
+/// What is to be found in every row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Question {
+    /// The shape of a given lay, as `nply contact`.
+    Contact,
+    /// The states of touching strands, as `nply solve`.
+    States,
+    /// The states on neighbours, a core, both or free, as `nply support`.
+    Supports,
+}
+
+/// A word out of a list of words.
+fn chosen<T: Copy>(written: &str, place: &Place, known: &[(&str, T)]) -> Result<T, SpecError> {
+    let word = written.trim().to_lowercase();
+    if let Some((_, found)) = known.iter().find(|(name, _)| *name == word) {
+        return Ok(*found);
+    }
+    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+    let (last, rest) = names.split_last().unwrap_or((&"", &[]));
+    let message = format!("{} is not understood: what is wanted is {} or {last}", quoted(written), rest.join(", "));
+    Err(refused_at(ErrorKind::WrongType, place, message))
+}
+
+impl States {
+    /// The name in files and flags.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::Stable => "stable",
+            Self::Continued => "continued",
+        }
+    }
+
+    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
+        chosen(written, place, &[Self::All, Self::Stable, Self::Continued].map(|states| (states.name(), states)))
+    }
+}
+
+impl Order {
+    /// The name in files and flags.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Grid => "grid",
+            Self::Zip => "zip",
+        }
+    }
+
+    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
+        chosen(written, place, &[Self::Grid, Self::Zip].map(|order| (order.name(), order)))
+    }
+}
+
+impl Question {
+    /// The name in files and flags.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::States => "states",
+            Self::Supports => "supports",
+        }
+    }
+
+    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
+        let all = [Self::Contact, Self::States, Self::Supports];
+        chosen(written, place, &all.map(|question| (question.name(), question)))
+    }
+}
+
+impl Sample {
+    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
+        chosen(written, place, &Self::ALL.map(|sample| (sample.name(), sample)))
+    }
+}
+
+/// A description of a ply, what varies in it from row to row, and what is asked of every row.
 ///
 /// ```
 /// use nply_sheet::Spec;
-/// use nply_sheet::sweep::SweepFlags;
-/// let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")])?;
-/// let flags = SweepFlags { sweep: "pretwist=-1..0".into(), ask: vec!["helical_angle".into()], ..SweepFlags::default() };
-/// let curves = ply.check_sweep(&flags)?.curves();
-/// // released after a pretwist of −1 three strands come to rest at 30.613°: there the curve leaves the range
-/// let pressing = curves.iter().filter(|curve| !curve.separated).flat_map(|curve| &curve.points);
-/// let steepest = pressing.map(|point| point.state.contact().angle().degrees()).fold(0.0, f64::max);
-/// assert!((steepest - 30.6130).abs() < 5e-5);
+/// use nply_sheet::sweep::{Study, SweepFlags};
+/// use nply_sheet::table::Values;
+/// let text = "ply.strands = 6\n[sweep]\nlay.helical_angle = { from = \"10 deg\", to = \"20 deg\", count = 2 }\noutputs = [\"radius_ratio\"]\n";
+/// let study = Spec::from_toml("study.toml", text).and_then(|spec| Study::from_spec(&spec, &SweepFlags::default()))?;
+/// let names: Vec<&str> = study.columns().iter().map(|column| column.name.as_str()).collect();
+/// assert_eq!((study.rows(), names), (2, vec!["row", "helical_angle_deg", "radius_ratio", "reason"]));
+/// let Values::Dense(ratio) = &study.chunk(1, 1)[2] else { unreachable!() };
+/// assert!((ratio[0] - 2.0998).abs() < 5e-5);
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Sweep {
-    case: Case,
-    series: Vec<Series>,
-    hands: Vec<Handedness>,
-    abscissa: Abscissa,
-    against: Option<&'static Column>,
-    ask: Vec<&'static Column>,
-    scales: Scales,
+pub struct Study {
+    base: Spec,
+    written: SweepSpec,
+    layout: Layout,
+    rows: u64,
+    plan: Option<Plan>,
 }
 
-/// One ply, and how its states are found along the datum.
+/// Where the values of a row come from.
 #[derive(Clone, Debug)]
-struct Series {
-    strands: u32,
-    balance: Balance,
-    course: Course,
+enum Layout {
+    Grid,
+    Zip,
+    Sample(Points),
+    /// From outside, row by row.
+    Given,
 }
 
-/// What runs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Abscissa {
-    Datum(Axis),
-    Lay { from: Lay, to: Lay },
-}
+/// More rows than this are no table.
+const MOST_ROWS: u64 = 1 << 48;
 
-/// More plies than this cannot be told apart in a picture.
-const MOST_SERIES: usize = 24;
-/// Colours of the palette that tell numbers of strands, but for black.
-const COLOURS: usize = 6;
-
-impl Spec {
-    /// The sweep that flags ask for, of the ply described here.
+impl Study {
+    /// The study that `[sweep]` of a description asks for, or flags, or both: what a flag says takes the place of what the file says.
+    ///
+    /// Without anything that varies it has one row. Where `rows` names a file, the values come from outside: [`Study::solve_given`].
     ///
     /// # Errors
-    /// [`SpecError`] as for [`Spec::check`]; where the range or a name is not understood; and where a core, or a pressure from outside,
-    /// would have to be taken into account.
-    pub fn check_sweep(&self, flags: &SweepFlags) -> Result<Sweep, SpecError> {
-        let [from, to] = ask::range(&flags.sweep)?;
-        let ask = flags.ask.iter().map(|name| ask::column(name, "ask")).collect::<Result<Vec<_>, _>>()?;
-        if ask.is_empty() {
-            let message = "what to show is missing: name it, such as `--ask helical_angle,interstrand_pressure`";
-            return Err(refused(ErrorKind::Missing, "ask", message));
-        }
-        let against = flags.against.as_deref().map(|name| ask::column(name, "against")).transpose()?;
-        let ends = || [&from, &to].into_iter().flat_map(|corner| &corner.entries);
-        if flags.scales.log_x && against.is_none() && ends().any(|end| end.number() <= 0.0) {
-            let message =
-                "equal lengths for equal ratios have no place for 0 and what is below: let the range lie above 0";
-            return Err(refused(ErrorKind::Domain, "log-x", message));
-        }
-        let mut plies: Vec<Self> = vec![self.clone()];
-        let mut vary = |flag: &str, values: Vec<String>| -> Result<(), SpecError> {
-            if values.is_empty() {
-                return Ok(());
+    /// [`SpecError`] where a name, a unit or a range is not understood, and where data go not together. What no ply can be is no error
+    /// here: it is the reason of a row.
+    pub fn from_spec(spec: &Spec, flags: &SweepFlags) -> Result<Self, SpecError> {
+        let flags = SweepSpec::of_flags(flags)?;
+        let written = spec.sweep.as_deref().cloned().unwrap_or_default().overridden_by(flags);
+        let mut base = spec.clone();
+        base.sweep = None;
+        base.map = None;
+        base.legs.clear();
+        for (at, run) in written.runs.iter().enumerate() {
+            if let Some(other) = written.runs[..at].iter().find(|other| other.key.datum == run.key.datum) {
+                let message = format!("`{}` varies twice: give it once", other.key.name);
+                return Err(refused_at(ErrorKind::Contradiction, &run.place, message));
             }
-            let laid: Result<Vec<Self>, SpecError> =
-                values.iter().map(|value| Self::from_flags([(flag, value.as_str())])).collect();
-            let laid = laid?;
-            plies = plies.iter().flat_map(|ply| laid.iter().map(|over| ply.overridden_by(over))).collect();
-            Ok(())
+        }
+        let states = written.states.as_ref().map_or(States::default(), |(states, _)| *states);
+        let neighbours = |why: &str| match &written.states {
+            Some((States::Continued, place)) => {
+                let message = format!("a state is continued from row to row of a grid or of zipped values, and {why}");
+                Err(refused_at(ErrorKind::Contradiction, place, message))
+            }
+            _ => Ok(()),
         };
-        vary("strands", flags.strands.iter().map(u32::to_string).collect())?;
-        vary("balance", flags.balances.iter().map(|balance| balance.name().to_owned()).collect())?;
-        if plies.len() > MOST_SERIES {
-            let message =
-                format!("{} plies in one picture cannot be told apart: ask for {MOST_SERIES} at most", plies.len());
-            return Err(refused(ErrorKind::Domain, "strands", &message));
-        }
-        let numbers: std::collections::BTreeSet<u32> = flags.strands.iter().copied().collect();
-        if numbers.len() > COLOURS {
-            let message =
-                format!("{} numbers of strands have no colours of their own: ask for {COLOURS} at most", numbers.len());
-            return Err(refused(ErrorKind::Domain, "strands", &message));
-        }
-        let mut found: Option<(Case, Abscissa)> = None;
-        let mut series = Vec::new();
-        for ply in &plies {
-            let [start, end] = [&from, &to].map(|corner| ply.onward(corner));
-            let (start, end) = (start.check()?, end.check()?);
-            let (abscissa, course) = course_of(&start, &end, &to)?;
-            series.push(Series { strands: start.strands, balance: start.balance, course });
-            found.get_or_insert((start, abscissa));
-        }
-        let Some((case, abscissa)) = found else {
-            return Err(refused(ErrorKind::Missing, "strands", "there is no ply")); // plies hold one at least
+        let order = written.order.as_ref().map_or(Order::default(), |(order, _)| *order);
+        let (layout, rows) = match (&written.rows, &written.sample) {
+            (Some((_, place)), _) if !written.runs.is_empty() || written.sample.is_some() => {
+                let message = "rows are given, and other data vary as well: leave one of the two out";
+                return Err(refused_at(ErrorKind::Contradiction, place, message));
+            }
+            (Some(_), _) => {
+                neighbours("given rows are not known to be neighbours")?;
+                (Layout::Given, 0)
+            }
+            (None, Some((sample, place))) => {
+                neighbours("samples have no neighbours")?;
+                let points = written.points.as_ref().map(|(points, _)| *points).filter(|points| *points > 0);
+                let Some(points) = points else {
+                    let message = "the number of points is missing: give `points` (--points), such as 1000";
+                    return Err(refused_at(ErrorKind::Missing, place, message));
+                };
+                if written.runs.is_empty() {
+                    return Err(refused_at(ErrorKind::Missing, place, "nothing varies: give ranges to draw from"));
+                }
+                let seed = written.seed.as_ref().map_or(0, |(seed, _)| *seed);
+                (Layout::Sample(Points::new(*sample, points, seed, written.runs.len())), points)
+            }
+            (None, None) => {
+                if let Some((_, place)) = written.points.as_ref().or(written.seed.as_ref()) {
+                    let message = "this goes with a sample: give `sample` as well, \"sobol\" or \"latin\"";
+                    return Err(refused_at(ErrorKind::Missing, place, message));
+                }
+                let rows = counted(&written.runs, order)?;
+                (if order == Order::Zip { Layout::Zip } else { Layout::Grid }, rows)
+            }
         };
-        let hands = if flags.hands.is_empty() { Handedness::BOTH.to_vec() } else { flags.hands.clone() };
-        Ok(Sweep { case, series, hands, abscissa, against, ask, scales: flags.scales })
+        if rows > MOST_ROWS {
+            let place = written.runs.first().map_or_else(|| base.head(), |run| run.place.clone());
+            let message = format!("a study of {rows} rows is too large: split it");
+            return Err(refused_at(ErrorKind::Domain, &place, message));
+        }
+        let mut study = Self { base, written, layout, rows, plan: None };
+        if !matches!(study.layout, Layout::Given) {
+            let given = study.written.runs.iter().map(GivenKey::of_run).collect();
+            let plan = Plan::new(&study.base, &study.written, given, states)?;
+            study.plan = Some(plan);
+        } else {
+            // what is asked is understood before a file is opened
+            Plan::new(&study.base, &study.written, Vec::new(), states)?;
+        }
+        Ok(study)
+    }
+
+    /// How many rows it has, counted by sets of data and not by states; 0 where they come from outside.
+    #[must_use]
+    pub const fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Whether its rows come from outside.
+    #[must_use]
+    pub const fn takes_rows(&self) -> bool {
+        matches!(self.layout, Layout::Given)
+    }
+
+    /// Whether anything varies by itself.
+    #[must_use]
+    pub const fn varies(&self) -> bool {
+        !self.written.runs.is_empty()
+    }
+
+    /// The columns of its table: `row` (from 0), what varies, `state` (from 1), what is asked, `reason`. Empty where the rows come from
+    /// outside.
+    #[must_use]
+    pub fn columns(&self) -> &[Column] {
+        self.plan.as_ref().map_or(&[], |plan| &plan.columns)
+    }
+
+    /// A stretch of its table, a column each, as [`Study::columns`] says. Rows there are not are left out.
+    ///
+    /// The stretch has a row for each state; a set of data without one, or that no ply can be, has one row with empty cells and its sentence
+    /// in `reason`.
+    #[must_use]
+    pub fn chunk(&self, first: u64, count: usize) -> Vec<Values> {
+        self.chunk_on(&mut Trail::default(), first, count)
+    }
+
+    /// As [`Study::chunk`]; where states are continued, `trail` is what was followed up to here. If the stretch goes on where the last one
+    /// with this trail ended, nothing has to be followed anew.
+    #[must_use]
+    pub fn chunk_on(&self, trail: &mut Trail, first: u64, count: usize) -> Vec<Values> {
+        let Some(plan) = &self.plan else { return Vec::new() };
+        let last = first.saturating_add(count as u64).min(self.rows);
+        let rows = first.min(last)..last;
+        let cells = self.values(rows.clone());
+        let length = (rows.end - rows.start) as usize;
+        let answers = match plan.states {
+            States::Continued => self.follow(plan, trail, rows.clone(), &cells),
+            _ => plan.solve(&cells, length),
+        };
+        #[expect(clippy::cast_possible_wrap, reason = "far below 2⁶³")]
+        let number = |place: &usize| (rows.start + *place as u64) as i64;
+        let mut chunk = vec![Values::Counts(answers.places.iter().map(number).collect())];
+        // as a rule a row has one state
+        let same = answers.places.len() == length && answers.places.iter().enumerate().all(|(at, place)| at == *place);
+        if same {
+            chunk.extend(cells);
+        } else {
+            chunk.extend(cells.iter().map(|cells| cells.taken(&answers.places)));
+        }
+        chunk.extend(answers.state);
+        chunk.extend(answers.outputs);
+        chunk.push(answers.reason);
+        chunk
+    }
+
+    /// The columns that answers to given rows have, beside which stand the given columns: `state`, what is asked, `reason`. An answer whose
+    /// name a given datum has already is left out.
+    ///
+    /// # Errors
+    /// [`SpecError`] where no column is a datum, two are the same, or a unit is not understood; and as [`Study::from_spec`].
+    pub fn given_columns(&self, given: &[Column]) -> Result<Vec<Column>, SpecError> {
+        let (plan, _) = self.plan_of(given)?;
+        Ok(plan.columns)
+    }
+
+    /// Answers to given rows: for each row of answers the place of the given row, from 0, and the columns that [`Study::given_columns`] tells.
+    ///
+    /// A column is a datum by its name: `table.key`, the key's flag with `_` for `-`, or the key alone where no other has that name; with its
+    /// unit behind it (`lay_length_mm`) or as the column's unit. An empty cell leaves the datum as the description has it. Other columns are
+    /// not looked at.
+    ///
+    /// # Errors
+    /// As [`Study::given_columns`].
+    pub fn solve_given(&self, given: &[Column], cells: &[Values]) -> Result<(Vec<usize>, Vec<Values>), SpecError> {
+        let (plan, at) = self.plan_of(given)?;
+        let rows = cells.first().map_or(0, Values::len);
+        let chosen: Vec<Values> = at.iter().filter_map(|at| cells.get(*at).cloned()).collect();
+        let answers = plan.solve(&chosen, rows);
+        let mut columns: Vec<Values> = answers.state.into_iter().collect();
+        columns.extend(answers.outputs);
+        columns.push(answers.reason);
+        Ok((answers.places, columns))
+    }
+
+    fn plan_of(&self, given: &[Column]) -> Result<(Plan, Vec<usize>), SpecError> {
+        let mut keys = Vec::new();
+        let mut at = Vec::new();
+        for (place, column) in given.iter().enumerate() {
+            if let Some(key) = GivenKey::of_column(column)? {
+                if let Some(other) = keys.iter().find(|other: &&GivenKey| other.key.datum == key.key.datum) {
+                    let message = format!(
+                        "columns {} and {} are the same datum: leave one of them out",
+                        quoted(&other.column.name),
+                        quoted(&column.name)
+                    );
+                    return Err(refused(ErrorKind::Contradiction, "rows", message));
+                }
+                keys.push(key);
+                at.push(place);
+            }
+        }
+        if keys.is_empty() {
+            let names: Vec<&str> = given.iter().map(|column| column.name.as_str()).collect();
+            let message = format!(
+                "no column is a datum of a ply (they are {}): name them as in the file, such as `pretwist`, `load.force` or `lay_length_mm`",
+                quoted(&names.join(", "))
+            );
+            return Err(refused(ErrorKind::UnknownKey, "rows", message));
+        }
+        let states = self.written.states.as_ref().map_or(States::default(), |(states, _)| *states);
+        if states == States::Continued {
+            let message = "given rows are not known to be neighbours: no state is continued over them";
+            return Err(refused(ErrorKind::Contradiction, "states", message));
+        }
+        let mut plan = Plan::new(&self.base, &self.written, keys, states)?;
+        // what is given stands there already
+        let own = plan.columns.split_off(1 + plan.given.len());
+        if let Some(twice) = own.iter().find(|column| given.iter().any(|other| other.name == column.name)) {
+            let message =
+                format!("column {} would stand in the table twice: give it another name", quoted(&twice.name));
+            return Err(refused(ErrorKind::Contradiction, "rows", message));
+        }
+        plan.columns = own;
+        Ok((plan, at))
+    }
+
+    /// The values of what varies over a stretch of rows.
+    fn values(&self, rows: core::ops::Range<u64>) -> Vec<Values> {
+        let runs = &self.written.runs;
+        match &self.layout {
+            Layout::Given => Vec::new(),
+            Layout::Sample(points) => runs
+                .iter()
+                .enumerate()
+                .map(|(dimension, run)| {
+                    run.sampled(Exact::of(rows.clone()).map(|point| points.share(point, dimension)))
+                })
+                .collect(),
+            Layout::Zip => runs
+                .iter()
+                .map(|run| {
+                    let single = run.count() == Some(1);
+                    run.at(Exact::of(rows.clone()).map(|row| if single { 0 } else { row }))
+                })
+                .collect(),
+            Layout::Grid => {
+                let mut stride = 1;
+                let mut columns: Vec<Values> = Vec::with_capacity(runs.len());
+                for run in runs.iter().rev() {
+                    let count = run.count().unwrap_or(1);
+                    columns.push(run.at(Places::new(rows.clone(), stride, count)));
+                    stride *= count;
+                }
+                columns.reverse();
+                columns
+            }
+        }
+    }
+
+    /// How many rows follow each other along what varies fastest.
+    #[must_use]
+    pub fn run_length(&self) -> u64 {
+        match self.layout {
+            Layout::Grid => self.written.runs.last().and_then(Run::count).unwrap_or(1),
+            Layout::Zip => self.rows.max(1),
+            Layout::Sample(_) | Layout::Given => 1,
+        }
+    }
+
+    /// Which states are told.
+    #[must_use]
+    pub fn states(&self) -> States {
+        self.written.states.as_ref().map_or(States::default(), |(states, _)| *states)
+    }
+
+    /// Whether a row is a matter of nanoseconds (arrays of shapes or equilibria) or of microseconds (each solved by itself).
+    #[must_use]
+    pub fn is_fast(&self) -> bool {
+        self.plan.as_ref().is_some_and(|plan| plan.is_fast())
+    }
+
+    /// The whole study as the text of a file: two studies with the same text have the same table.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// use nply_sheet::sweep::{Study, SweepFlags};
+    /// let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")])?;
+    /// let flags = SweepFlags { sweep: vec!["pretwist=-1:1:3".into()], ..SweepFlags::default() };
+    /// let text = Study::from_spec(&ply, &flags)?.text();
+    /// let again = Study::from_spec(&Spec::from_toml("study.toml", &text)?, &SweepFlags::default())?;
+    /// assert_eq!((again.rows(), again.text()), (3, text));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn text(&self) -> String {
+        use core::fmt::Write as _;
+        let mut out = String::new();
+        let mut entries: Vec<_> = self.base.entries.iter().collect();
+        entries.sort_by_key(|entry| (entry.key.table.name(), entry.key.name));
+        for entry in entries {
+            let _ = writeln!(out, "{}.{} = {}", entry.key.table.name(), entry.key.name, entry.as_toml());
+        }
+        let _ = writeln!(out, "[sweep]");
+        for run in &self.written.runs {
+            let _ = writeln!(out, "{}", run.text());
+        }
+        if let Some(names) = &self.written.outputs {
+            let names: Vec<String> = names.iter().map(|(name, _)| format!("\"{}\"", name.trim())).collect();
+            let _ = writeln!(out, "outputs = [{}]", names.join(", "));
+        }
+        let _ = writeln!(out, "states = \"{}\"", self.states().name());
+        if let Some((question, _)) = &self.written.question {
+            let _ = writeln!(out, "question = \"{}\"", question.name());
+        }
+        if let Some((rows, _)) = &self.written.rows {
+            let _ = writeln!(out, "rows = {}", toml_text(rows));
+        }
+        if let Some((sample, _)) = &self.written.sample {
+            let _ = writeln!(out, "sample = \"{}\"", sample.name());
+            let _ = writeln!(out, "points = {}", self.rows);
+            let _ = writeln!(out, "seed = {}", self.written.seed.as_ref().map_or(0, |(seed, _)| *seed));
+        } else if self.written.runs.len() > 1 {
+            let order = self.written.order.as_ref().map_or(Order::default(), |(order, _)| *order);
+            let _ = writeln!(out, "order = \"{}\"", order.name());
+        }
+        out
+    }
+
+    /// What a file says of itself: program, version, the study, its balance and what is looked for.
+    #[must_use]
+    pub fn metadata(&self) -> Vec<(String, String)> {
+        let balance = self.base.get(crate::Datum::Balance).map_or("contact".to_owned(), |entry| match &entry.value {
+            crate::spec::Value::Balance(balance) => balance.name().to_owned(),
+            _ => String::new(),
+        });
+        let mut said = vec![
+            ("program", "nply".to_owned()),
+            ("version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("study", self.text()),
+        ];
+        if let Some(plan) = &self.plan {
+            let looked_for = match plan.kind {
+                StateKind::Contact => "contact",
+                StateKind::Touching => "states",
+                StateKind::Supported => "supports",
+                StateKind::Stretched => "strands that stretch",
+            };
+            said.push(("question", looked_for.to_owned()));
+            if plan.kind == StateKind::Touching {
+                said.push(("balance", balance));
+            }
+        } else {
+            said.push(("balance", balance));
+        }
+        said.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
     }
 }
 
-fn refused(kind: ErrorKind, flag: &str, message: &str) -> SpecError {
+/// A text in quotation marks, as TOML has it.
+fn toml_text(text: &str) -> String {
+    let escaped: String = text
+        .chars()
+        .flat_map(|c| match c {
+            '"' => "\\\"".chars().collect::<Vec<_>>(),
+            '\\' => "\\\\".chars().collect(),
+            c if c.is_control() => format!("\\u{:04x}", c as u32).chars().collect(),
+            c => vec![c],
+        })
+        .collect();
+    format!("\"{escaped}\"")
+}
+
+impl crate::spec::Entry {
+    /// The value as a file has it.
+    fn as_toml(&self) -> String {
+        use crate::spec::Value;
+        match &self.value {
+            Value::Switch(switch) => switch.to_string(),
+            Value::Balance(balance) => format!("\"{}\"", balance.name()),
+            Value::Hand(hand) => format!("\"{}\"", if hand.sign() > 0.0 { "right" } else { "left" }),
+            Value::Text(text) => toml_text(text),
+            Value::Quantity(crate::Quantity::Bare(value)) if self.key.kind == crate::Kind::Count => value.to_string(),
+            Value::Quantity(crate::Quantity::Bare(value)) => format!("{value:?}"),
+            // as it was written, whose last digit is that of the value
+            Value::Quantity(crate::Quantity::Measured { .. }) => toml_text(self.written.trim_matches('"')),
+        }
+    }
+}
+
+/// How many rows these make.
+fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
+    let mut counts = Vec::new();
+    for run in runs {
+        let Some(count) = run.count() else {
+            let message = format!("`{}`: the number of values is missing: give a `count`, such as 11", run.key.name);
+            return Err(refused_at(ErrorKind::Missing, &run.place, message));
+        };
+        counts.push((count, run));
+    }
+    match order {
+        Order::Grid => counts.iter().try_fold(1_u64, |product, (count, run)| {
+            product.checked_mul(*count).filter(|rows| *rows <= MOST_ROWS).ok_or_else(|| {
+                let message = format!("`{}`: a grid of so many rows is too large: split it", run.key.name);
+                refused_at(ErrorKind::Domain, &run.place, message)
+            })
+        }),
+        Order::Zip => {
+            let longest = counts.iter().map(|(count, _)| *count).max().unwrap_or(1);
+            match counts.iter().find(|(count, _)| *count != longest && *count != 1) {
+                Some((count, run)) => {
+                    let message = format!(
+                        "`{}` has {count} values, and another has {longest}: zipped values are as many (or one)",
+                        run.key.name
+                    );
+                    Err(refused_at(ErrorKind::Contradiction, &run.place, message))
+                }
+                None => Ok(longest),
+            }
+        }
+    }
+}
+
+/// A range of 64 bits that knows its length.
+struct Exact(core::ops::Range<u64>);
+
+impl Exact {
+    const fn of(range: core::ops::Range<u64>) -> Self {
+        Self(range)
+    }
+}
+
+impl Iterator for Exact {
+    type Item = u64;
+
+    #[inline]
+    fn next(&mut self) -> Option<u64> {
+        self.0.next()
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let length = (self.0.end - self.0.start) as usize;
+        (length, Some(length))
+    }
+}
+
+impl ExactSizeIterator for Exact {}
+
+/// The places of one datum over rows of a grid: each stays for `stride` rows.
+struct Places {
+    place: u64,
+    stays: u64,
+    stride: u64,
+    count: u64,
+    left: u64,
+}
+
+impl Places {
+    const fn new(rows: core::ops::Range<u64>, stride: u64, count: u64) -> Self {
+        Self {
+            place: rows.start / stride % count,
+            stays: stride - rows.start % stride,
+            stride,
+            count,
+            left: rows.end - rows.start,
+        }
+    }
+}
+
+impl Iterator for Places {
+    type Item = u64;
+
+    #[inline]
+    fn next(&mut self) -> Option<u64> {
+        self.left = self.left.checked_sub(1)?;
+        let here = self.place;
+        self.stays -= 1;
+        if self.stays == 0 {
+            self.stays = self.stride;
+            self.place = if here + 1 == self.count { 0 } else { here + 1 };
+        }
+        Some(here)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.left as usize, Some(self.left as usize))
+    }
+}
+
+impl ExactSizeIterator for Places {}
+
+fn refused(kind: ErrorKind, flag: &str, message: impl Into<String>) -> SpecError {
     SpecError::new(kind, Place::Flag(flag.to_owned()), message)
 }
 
-/// What runs between two cases, and how its states are found.
-fn course_of(start: &Case, end: &Case, to: &Spec) -> Result<(Abscissa, Course), SpecError> {
-    let Some(entry) = to.entries.first() else {
-        return Err(refused(ErrorKind::Missing, "sweep", "nothing runs")); // a range names one datum
-    };
-    let ply = || Ply::with_balance(start.strands, start.stiffness_ratio, start.balance);
-    let ply = ply().map_err(|error| start.locate(&error))?;
-    if entry.key.table == Table::Lay {
-        let lay = |case: &Case| match case.question {
-            Question::MomentAt { lay, .. } | Question::ForceAt { lay, .. } | Question::PretwistAt { lay, .. } => {
-                Some(lay)
-            }
-            _ => None,
-        };
-        let (Some(from), Some(to)) = (lay(start), lay(end)) else {
-            return Err(entry.error(ErrorKind::Contradiction, "this lay does not run: give another range"));
-        };
-        return Ok((Abscissa::Lay { from, to }, Course::lay(start.clone(), from, to)));
-    }
-    if let Question::Supported { .. } = start.question {
-        let core = |entry: &crate::spec::Entry| entry.key.table == Table::Support;
-        return Err(start.refuse(core, |said| {
-            format!("{said}: curves are of touching strands; a ply on a core is followed by `nply trace --plot`")
-        }));
-    }
-    let (first, last) = (data_of(start)?, data_of(end)?);
-    let axis = Axis::between(&first, &last, entry, 2)?;
-    Ok((Abscissa::Datum(axis), Course::of(ply, &first, axis)))
+fn refused_at(kind: ErrorKind, place: &Place, message: impl Into<String>) -> SpecError {
+    SpecError::new(kind, place.clone(), message)
 }
 
-impl Sweep {
-    /// The range of what runs, dimensionless, the smaller number first.
-    fn range(&self) -> (f64, f64) {
-        let (a, b) = match self.abscissa {
-            Abscissa::Datum(axis) => (axis.from, axis.to),
-            Abscissa::Lay { from, to } => (course::size(from), course::size(to)),
-        };
-        (a.min(b), a.max(b))
-    }
-
-    fn known(&self) -> Known {
-        Known { scale: self.case.scale, strand_radius: self.case.strand_radius }
-    }
-
-    /// What stands on the axis: its name in tables, for a reader, and how it is read.
-    fn axis(&self, largest: f64) -> (&'static str, String, Reading) {
-        if let Some(column) = self.against {
-            let reading = column.measure.reading(self.known(), &self.case.units, largest);
-            return (column.name, ask::label(column), reading);
-        }
-        match self.abscissa {
-            Abscissa::Datum(axis) => (axis.datum.name(), axis.datum.label().to_owned(), axis.reading(&self.case)),
-            Abscissa::Lay { from, .. } => {
-                let (name, label, measure) = course::words(from);
-                let reading = match measure {
-                    // rad
-                    Measure::Degrees => Reading { factor: 1_f64.to_degrees(), unit: "deg".to_owned() },
-                    measure => measure.reading(self.known(), &self.case.units, largest),
-                };
-                (name, label.to_owned(), reading)
-            }
-        }
-    }
-
-    /// The name given to the ply; empty without one.
-    #[must_use]
-    pub fn title(&self) -> &str {
-        self.case.title.as_deref().unwrap_or_default()
-    }
+/// The unit that a suffix stands for, whatever it measures.
+fn unit_of_suffix(suffix: &str) -> Option<Unit> {
+    written::unit_of(suffix)
 }

@@ -71,6 +71,14 @@ pub enum Values {
     Boolean(Vec<Option<bool>>),
     /// For [`Kind::Text`].
     Text(Vec<Option<String>>),
+    /// For [`Kind::Float`], where no cell is empty.
+    Dense(Vec<f64>),
+    /// For [`Kind::Integer`], where no cell is empty.
+    Counts(Vec<i64>),
+    /// For [`Kind::Text`], where all texts are of the program.
+    Words(Vec<Option<&'static str>>),
+    /// So many empty cells, for any kind.
+    Nothing(Kind, usize),
 }
 
 impl Values {
@@ -78,10 +86,11 @@ impl Values {
     #[must_use]
     pub const fn kind(&self) -> Kind {
         match self {
-            Self::Float(_) => Kind::Float,
-            Self::Integer(_) => Kind::Integer,
+            Self::Float(_) | Self::Dense(_) => Kind::Float,
+            Self::Integer(_) | Self::Counts(_) => Kind::Integer,
             Self::Boolean(_) => Kind::Boolean,
-            Self::Text(_) => Kind::Text,
+            Self::Text(_) | Self::Words(_) => Kind::Text,
+            Self::Nothing(kind, _) => *kind,
         }
     }
 
@@ -93,6 +102,38 @@ impl Values {
             Self::Integer(cells) => cells.len(),
             Self::Boolean(cells) => cells.len(),
             Self::Text(cells) => cells.len(),
+            Self::Dense(cells) => cells.len(),
+            Self::Counts(cells) => cells.len(),
+            Self::Words(cells) => cells.len(),
+            Self::Nothing(_, length) => *length,
+        }
+    }
+
+    /// The cells at these places, one after the other, a place as often as it is said; a place there is not is an empty cell.
+    ///
+    /// ```
+    /// use nply_sheet::table::Values;
+    /// assert_eq!(Values::Dense(vec![1.0, 2.0]).taken(&[1, 1, 0]), Values::Dense(vec![2.0, 2.0, 1.0]));
+    /// ```
+    #[must_use]
+    pub fn taken(&self, places: &[usize]) -> Self {
+        fn of<T: Clone>(cells: &[Option<T>], places: &[usize]) -> Vec<Option<T>> {
+            places.iter().map(|at| cells.get(*at).cloned().flatten()).collect()
+        }
+        fn all<T: Copy>(cells: &[T], places: &[usize]) -> Option<Vec<T>> {
+            places.iter().map(|at| cells.get(*at).copied()).collect()
+        }
+        match self {
+            Self::Float(cells) => Self::Float(of(cells, places)),
+            Self::Integer(cells) => Self::Integer(of(cells, places)),
+            Self::Boolean(cells) => Self::Boolean(of(cells, places)),
+            Self::Text(cells) => Self::Text(of(cells, places)),
+            Self::Words(cells) => Self::Words(of(cells, places)),
+            Self::Dense(cells) => all(cells, places)
+                .map_or_else(|| Self::Float(places.iter().map(|at| cells.get(*at).copied()).collect()), Self::Dense),
+            Self::Counts(cells) => all(cells, places)
+                .map_or_else(|| Self::Integer(places.iter().map(|at| cells.get(*at).copied()).collect()), Self::Counts),
+            Self::Nothing(kind, _) => Self::Nothing(*kind, places.len()),
         }
     }
 

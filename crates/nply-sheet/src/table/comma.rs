@@ -44,6 +44,10 @@ fn text(values: &Values, row: usize, cell: &mut String) {
         Values::Integer(cells) => cells[row].map_or(Ok(()), |value| write!(cell, "{value}")),
         Values::Boolean(cells) => cells[row].map_or(Ok(()), |value| write!(cell, "{value}")),
         Values::Text(cells) => cells[row].as_deref().map_or(Ok(()), |text| cell.write_str(text)),
+        Values::Words(cells) => cells[row].map_or(Ok(()), |text| cell.write_str(text)),
+        Values::Dense(cells) => write!(cell, "{:?}", cells[row]),
+        Values::Counts(cells) => write!(cell, "{}", cells[row]),
+        Values::Nothing(..) => Ok(()),
     };
 }
 

@@ -1,18 +1,15 @@
 //! Parquet, through Arrow; neither is seen from outside.
 
-use std::collections::HashMap;
 use std::io::Write;
-use std::sync::Arc;
 
-use arrow_array::{ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray};
-use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_schema::SchemaRef;
 use parquet::arrow::ArrowWriter;
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 
-use super::{Column, Kind, TableError, Values};
+use super::{Column, TableError, Values, arrow};
 
 /// Rows are kept, encoded, until there are so many.
 const ROW_GROUP: usize = 1 << 17;
@@ -25,7 +22,7 @@ pub(super) struct Writer<W: Write + Send> {
 
 impl<W: Write + Send> Writer<W> {
     pub(super) fn new(columns: &[Column], metadata: &[(&str, &str)], write: W) -> Result<Self, TableError> {
-        let schema: SchemaRef = Arc::new(Schema::new(columns.iter().map(field).collect::<Vec<_>>()));
+        let schema = arrow::schema(columns, &[]);
         let pairs = metadata.iter().map(|&(key, value)| KeyValue::new(key.to_owned(), value.to_owned())).collect();
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
@@ -37,9 +34,7 @@ impl<W: Write + Send> Writer<W> {
     }
 
     pub(super) fn write(&mut self, chunk: &[Values]) -> Result<(), TableError> {
-        let arrays = chunk.iter().map(array).collect();
-        let batch =
-            RecordBatch::try_new(self.schema.clone(), arrays).map_err(|error| TableError::Encode(error.into()))?;
+        let batch = arrow::batch(&self.schema, chunk)?;
         self.parquet.write(&batch).map_err(refused)
     }
 
@@ -47,29 +42,6 @@ impl<W: Write + Send> Writer<W> {
         let mut write = self.parquet.into_inner().map_err(refused)?;
         write.flush()?;
         Ok(write)
-    }
-}
-
-fn field(column: &Column) -> Field {
-    let kind = match column.kind {
-        Kind::Float => DataType::Float64,
-        Kind::Integer => DataType::Int64,
-        Kind::Boolean => DataType::Boolean,
-        Kind::Text => DataType::Utf8,
-    };
-    let field = Field::new(&column.name, kind, true);
-    match column.unit.as_str() {
-        "" => field,
-        unit => field.with_metadata(HashMap::from([("unit".to_owned(), unit.to_owned())])),
-    }
-}
-
-fn array(values: &Values) -> ArrayRef {
-    match values {
-        Values::Float(cells) => Arc::new(cells.iter().copied().collect::<Float64Array>()),
-        Values::Integer(cells) => Arc::new(cells.iter().copied().collect::<Int64Array>()),
-        Values::Boolean(cells) => Arc::new(cells.iter().copied().collect::<BooleanArray>()),
-        Values::Text(cells) => Arc::new(cells.iter().map(Option::as_deref).collect::<StringArray>()),
     }
 }
 
@@ -91,7 +63,7 @@ mod tests {
     use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
     use super::*;
-    use crate::table::TableWriter;
+    use crate::table::{Kind, TableWriter};
 
     #[test]
     fn what_is_written_in_chunks_reads_back() {

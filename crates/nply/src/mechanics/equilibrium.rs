@@ -141,6 +141,18 @@ impl Equilibrium {
 }
 
 impl Equilibrium {
+    /// A state whose angle was found elsewhere, without a pressure from outside.
+    #[inline]
+    pub(super) const fn found(
+        contact: Contact,
+        fold: bool,
+        handedness: Handedness,
+        (stiffness_ratio, twist, load): (f64, Twist, Load),
+        balance: Balance,
+    ) -> Self {
+        Self { contact, handedness, stiffness_ratio, twist, load, balance, external_pressure: 0.0, fold }
+    }
+
     /// Right-handed first, then by angle; a fold on the border of two panels, seen from both, is kept once.
     pub(super) fn sort(states: &mut Vec<Self>) {
         let angle = |s: &Self| s.contact.helical_angle();

@@ -18,7 +18,8 @@ pub(crate) struct Way<V, const R: usize> {
     pub(crate) slope: Rows<V, R>,
 }
 
-/// Halley's steps for all roots, until the next would move none of them by more than `enough`.
+/// Halley's steps for all roots, until the next would move none of them by more than `enough`. A root that has come to rest stays where it
+/// is while others go on, so that none depends on its neighbours.
 #[inline(always)]
 pub(crate) fn walk<W: Wide, const R: usize>(
     w: W,
@@ -27,14 +28,19 @@ pub(crate) fn walk<W: Wide, const R: usize>(
     enough: f64,
 ) -> Way<W::V, R> {
     let zero = w.splat(0.0);
+    let enough_all = w.splat(enough);
     let mut way = Way { u: start, next: [zero; R], slope: [zero; R] };
+    let mut rests = [w.at_least(zero, w.splat(1.0)); R];
     for _ in 0..MOST_STEPS {
-        step(w, c, &mut way);
+        step(w, c, &mut way, &rests);
+        for r in 0..R {
+            rests[r] = w.at_least(enough_all, way.next[r]);
+        }
         let mut open = way.next[0];
         for next in way.next {
             open = w.max(next, open);
         }
-        if w.bits(w.at_least(w.splat(enough), open)) == 0b1111 {
+        if w.bits(w.at_least(enough_all, open)) == 0b1111 {
             break;
         }
     }
@@ -42,7 +48,7 @@ pub(crate) fn walk<W: Wide, const R: usize>(
 }
 
 #[inline(always)]
-fn step<W: Wide, const R: usize>(w: W, c: &[[W::V; ORDER]; R], way: &mut Way<W::V, R>) {
+fn step<W: Wide, const R: usize>(w: W, c: &[[W::V; ORDER]; R], way: &mut Way<W::V, R>, rests: &Rows<W::V, R>) {
     let zero = w.splat(0.0);
     let u = way.u;
     let (mut f, mut slope) = ([zero; R], [zero; R]);
@@ -63,10 +69,11 @@ fn step<W: Wide, const R: usize>(w: W, c: &[[W::V; ORDER]; R], way: &mut Way<W::
         let inverse = w.div(w.splat(1.0), w.mul_add(slope[r], slope[r], curved));
         let by = w.mul(w.mul(minus, slope[r]), inverse);
         let share = w.add(size(w, by), size(w, w.mul(curved, inverse)));
-        way.u[r] = w.add(u[r], by);
+        let still = rests[r];
+        way.u[r] = w.select(still, u[r], w.add(u[r], by));
         // no number: the second is taken, which is none either
-        way.next[r] = w.mul(size(w, by), w.mul(share, share));
-        way.slope[r] = slope[r];
+        way.next[r] = w.select(still, way.next[r], w.mul(size(w, by), w.mul(share, share)));
+        way.slope[r] = w.select(still, way.slope[r], slope[r]);
     }
 }
 

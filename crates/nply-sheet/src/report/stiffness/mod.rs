@@ -95,6 +95,13 @@ impl StiffnessReport {
                     "The wires {which}do not fit beside each other on what is below: they carry each other, and what is below lies loose."
                 ));
             }
+            if layer.support == LayerSupport::Both {
+                let which = if several { format!("of layer {} ", at + 1) } else { String::new() };
+                notes.push(format!(
+                    "The wires {which}lie on what is below and on each other, and both push: over a range of loads the cable neither stretches \
+                     nor turns but passes load from one to the other, so that it has no stiffness of its own there."
+                ));
+            }
         }
         if state.lifts() {
             let (layer, what) = self.lifted();
@@ -184,7 +191,7 @@ impl StiffnessReport {
         let all = self.state.layers().iter().enumerate();
         let least = all.min_by(|(_, a), (_, b)| pulls(a).total_cmp(&pulls(b)));
         least.map_or((1, "a contact"), |(at, layer)| match layer.support {
-            LayerSupport::Below => (at + 1, "what holds the wires down"),
+            LayerSupport::Below | LayerSupport::Both => (at + 1, "what holds the wires down"),
             LayerSupport::Neighbours => (at + 1, "neighbours"),
         })
     }

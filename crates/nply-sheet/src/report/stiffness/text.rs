@@ -50,6 +50,7 @@ impl StiffnessReport {
                     member.layer.map_or("–", |layer| match layer.support {
                         nply::mechanics::LayerSupport::Below => "what is below",
                         nply::mechanics::LayerSupport::Neighbours => "each other",
+                        nply::mechanics::LayerSupport::Both => "both",
                     })
                 }),
             ),

@@ -18,7 +18,8 @@ use sift::{Doubt, Sums, isolate};
 pub use states::States;
 
 use super::row::Chart;
-use super::{Balance, Load, Ply, Twist};
+use super::{Balance, Equilibrium, Load, Ply, Twist};
+use crate::geometry::Contact;
 use crate::numerics::wide::{Job, Wide, dispatch};
 use crate::{DomainError, Handedness};
 
@@ -110,6 +111,31 @@ impl Plies<'_> {
         states.clear();
         dispatch(Batch { plies: self, balance, states });
         Ok(())
+    }
+
+    /// One of the states that [`equilibria`](Self::equilibria) found, in full: state `at` of [`States::row`] of `row`, in the same balance.
+    /// `None` where there is none.
+    ///
+    /// ```
+    /// use nply::mechanics::{Balance, Plies, States, Twists};
+    /// let none = [0.0];
+    /// let plies =
+    ///     Plies { strands: &[3], stiffness_ratio: &[0.75], twist: Twists::Pretwist(&[-1.0]), force: &none, moment: &none };
+    /// let mut states = States::new();
+    /// plies.equilibria(Balance::Contact, &mut states)?;
+    /// let first = plies.equilibrium(Balance::Contact, &states, 0, states.row(0).start).unwrap();
+    /// assert!((first.interstrand_pressure() - 0.0637177).abs() < 1e-6);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn equilibrium(&self, balance: Balance, states: &States, row: usize, at: usize) -> Option<Equilibrium> {
+        if !states.row(row).contains(&at) || row >= self.strands.len() {
+            return None;
+        }
+        let angle = states.angle(at)?;
+        let contact = Contact::at_angle(self.strands[row], angle).ok()?;
+        let (fold, handedness) = (states.fold()[at], states.handedness()[at]);
+        Some(Equilibrium::found(contact, fold, handedness, self.data(row), balance))
     }
 
     fn data(&self, row: usize) -> (f64, Twist, Load) {

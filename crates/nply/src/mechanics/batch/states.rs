@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::refine::State;
 use super::sift::Doubt;
+use crate::geometry::HelicalAngle;
 use crate::mechanics::Equilibrium;
 use crate::{DomainError, Handedness};
 
@@ -101,6 +102,12 @@ impl States {
     #[must_use]
     pub fn refused(&self) -> &[(usize, DomainError)] {
         &self.refused
+    }
+
+    /// The angle of a state, from whichever of its two numbers has more digits.
+    pub(super) fn angle(&self, at: usize) -> Option<HelicalAngle> {
+        let (helical, pitch) = (*self.helical_angle.get(at)?, *self.pitch_angle.get(at)?);
+        if helical <= pitch { HelicalAngle::new(helical).ok() } else { HelicalAngle::from_pitch_angle(pitch).ok() }
     }
 
     pub(super) fn clear(&mut self) {

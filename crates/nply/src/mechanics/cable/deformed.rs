@@ -21,8 +21,10 @@ pub(super) struct Deformed {
     pub(super) torsion: f64,
     /// ∂E/∂R at given length and turns
     pub(super) by_radius: f64,
-    /// by how much the layer's own radius asks for more room as it grows: ∂(R − room)/∂R
-    pub(super) give: f64,
+    /// by how much the layer's own radius leaves more room as it grows, on what is below and between neighbours: ∂(R − room)/∂R
+    pub(super) give: [f64; 2],
+    /// where both carry: the radius on neighbours less that on what is below, which is 0 there
+    pub(super) meeting: Option<Jet2>,
     /// the same for the outside
     pub(super) outer_by_radius: f64,
     /// touching rods at this angle
@@ -84,8 +86,9 @@ impl Laid {
         theta.map(curved.radius * Jet::new(c, -s, -c).recip())
     }
 
-    /// Where the layer lies on what is below (a radius), or on its neighbours where they would overlap there.
-    pub(super) fn deformed(&self, strain: f64, turning: f64, below: Jet2) -> Option<Deformed> {
+    /// Where the layer lies on what is below (a radius), or on its neighbours where they would overlap there. With `both` it is taken to lie on
+    /// both, with the derivatives of what lies on what is below.
+    pub(super) fn deformed(&self, strain: f64, turning: f64, below: Jet2, both: bool) -> Option<Deformed> {
         let (z, y) = self.displacements(strain, turning);
         if !(z.value > 0.0 && y.value > 0.0) {
             return None; // unlaid altogether, or squeezed to nothing
@@ -93,23 +96,22 @@ impl Laid {
         let r = self.layer.rod.radius();
         let none = Jet2::constant(0.0);
         let on_below = self.settle(z, y, below, |at| r * at.thick)?;
-        let (support, radius) = {
+        let on_neighbours = || self.settle(z, y, none, |at| r * at.thick * self.touching(at));
+        let (support, radius, meeting) = if both {
+            (LayerSupport::Both, on_below, Some(on_neighbours()? - on_below))
+        } else {
             let at = self.at(z, y, on_below);
             let room = r * at.thick * self.touching(&at);
             if room.value > on_below.value {
-                (LayerSupport::Neighbours, self.settle(z, y, none, |at| r * at.thick * self.touching(at))?)
+                (LayerSupport::Neighbours, on_neighbours()?, None)
             } else {
-                (LayerSupport::Below, on_below)
+                (LayerSupport::Below, on_below, None)
             }
         };
         let at = self.at(z, y, radius);
         let (energy, extension, bent, twisted) = self.energy(&at);
         let angle = HelicalAngle::of_tangent(at.sin.value, at.cos.value);
         let free = self.over_radius(z, y, radius.value);
-        let room = match support {
-            LayerSupport::Below => r * free.thick,
-            LayerSupport::Neighbours => r * free.thick * self.touching(&free),
-        };
         Some(Deformed {
             support,
             radius,
@@ -121,7 +123,8 @@ impl Laid {
             bending: bent.value,
             torsion: self.layer.handedness.sign() * twisted.value,
             by_radius: self.energy(&free).0.a,
-            give: 1.0 - room.a,
+            give: [1.0 - r * free.thick.a, 1.0 - (r * free.thick * self.touching(&free)).a],
+            meeting,
             outer_by_radius: 1.0 + r * free.thick.a,
             touching: Contact::at(self.layer.strands, angle),
         })
@@ -173,16 +176,19 @@ impl Laid {
     }
 
     /// What of the cable's force and moment is this layer's, per rod and unstretched rod length: the slopes of its energy, and of the room its
-    /// contacts ask for, at given radius.
-    pub(super) fn share(&self, deformed: &Deformed, strain: f64, turning: f64, below: f64, above: f64) -> [f64; 2] {
+    /// contacts (with what is below and between neighbours, and with what is above) ask for, at given radius.
+    pub(super) fn share(
+        &self,
+        deformed: &Deformed,
+        strain: f64,
+        turning: f64,
+        [below, neighbours]: [f64; 2],
+        above: f64,
+    ) -> [f64; 2] {
         let (z, y) = self.displacements(strain, turning);
         let at = self.at(z, y, Jet2::constant(deformed.radius.value));
-        let r = self.layer.rod.radius();
-        let room = match deformed.support {
-            LayerSupport::Below => r * at.thick,
-            LayerSupport::Neighbours => r * at.thick * self.touching(&at),
-        };
-        let total = self.energy(&at).0 + below * room + above * (r * at.thick);
+        let thick = self.layer.rod.radius() * at.thick;
+        let total = self.energy(&at).0 + below * thick + neighbours * (thick * self.touching(&at)) + above * thick;
         [total.a, total.b]
     }
 }

@@ -32,7 +32,7 @@ impl Cable {
     /// let cable = Cable::new(Some(king), &[layer(6, Handedness::Left, 60.0), layer(12, Handedness::Right, 60.0)])?;
     /// let lays = cable.lay_lengths_for_torque_factor(1, 0.0)?;
     /// let balanced = Cable::new(Some(king), &[layer(6, Handedness::Left, 60.0), layer(12, Handedness::Right, lays[0])])?;
-    /// assert!(balanced.laid()?.torque_factor().abs() < 1e-12);
+    /// assert!(balanced.laid()?.torque_factor().is_some_and(|factor| factor.abs() < 1e-12));
     /// # Ok::<(), nply::DomainError>(())
     /// ```
     pub fn lay_lengths_for_torque_factor(&self, layer: usize, torque_factor: f64) -> Result<Vec<f64>, DomainError> {
@@ -41,7 +41,7 @@ impl Cable {
         let outer = 2.0 * self.outer_radius();
         let excess = |lay_length: f64| {
             let cable = self.with_layer(layer, Layer { lay: WireLay::Length(lay_length), ..laid })?;
-            Some(cable.laid().ok()?.torque_factor() - torque_factor)
+            Some(cable.laid().ok()?.torque_factor()? - torque_factor)
         };
         const STEPS: i32 = 400;
         let (long, short) = (1e3 * outer, 2.0 * f64::from(laid.strands) * laid.rod.radius());

@@ -28,15 +28,18 @@ pub enum LayerSupport {
     Below,
     /// Its rods touch each other; what is below is loose.
     Neighbours,
+    /// It lies on what is below and on its neighbours, both of which push: under a range of loads, at one strain for each turning.
+    Both,
 }
 
 impl LayerSupport {
-    /// The name used in JSON: `below` or `neighbours`.
+    /// The name used in JSON: `below`, `neighbours` or `both`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Below => "below",
             Self::Neighbours => "neighbours",
+            Self::Both => "both",
         }
     }
 }

@@ -34,6 +34,10 @@ impl CableState {
         let of = |(i, layer): (usize, &super::LayerState)| match layer.support {
             LayerSupport::Below => (i, LetsGo::Below, layer.pressure_below / unit),
             LayerSupport::Neighbours => (i, LetsGo::Neighbours, layer.interstrand_pressure / unit),
+            LayerSupport::Both if layer.interstrand_pressure < layer.pressure_below => {
+                (i, LetsGo::Neighbours, layer.interstrand_pressure / unit)
+            }
+            LayerSupport::Both => (i, LetsGo::Below, layer.pressure_below / unit),
         };
         self.layers().iter().enumerate().map(of).min_by(|a, b| a.2.total_cmp(&b.2))
     }

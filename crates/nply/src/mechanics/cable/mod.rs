@@ -5,6 +5,7 @@ mod design;
 mod layer;
 mod lift;
 mod rod;
+mod shared;
 mod state;
 
 pub use layer::{Layer, LayerSupport};
@@ -132,7 +133,8 @@ impl Cable {
         let resists = axial > 0.0 && torsional > 0.0 && axial * torsional > coupling * coupling;
         DomainError::check(resists, "stiffness", axial, "that of a cable which resists strain and turning as laid")?;
         let bending = self.sliding_bending_stiffness();
-        let rod = Rod::made(self.outer_radius(), [axial, bending, torsional, coupling], laid.contraction());
+        let contraction = laid.contraction().unwrap_or(0.0); // as laid no layer shares: its strain and turning are given
+        let rod = Rod::made(self.outer_radius(), [axial, bending, torsional, coupling], contraction);
         Ok(rod.of_area(self.metal_area()))
     }
 

@@ -2,6 +2,7 @@
 
 use super::deformed::Deformed;
 use super::layer::LayerSupport;
+use super::shared::Sharing;
 use super::{Cable, Layer, Rod};
 use crate::geometry::HelicalAngle;
 use crate::mechanics::StretchStiffness;
@@ -34,6 +35,22 @@ pub enum CableGrips {
         /// rad per cable length, right-handed positive.
         turning: f64,
     },
+}
+
+impl CableGrips {
+    /// Newton's step from a state towards one under these loads.
+    fn step_from(self, state: &CableState) -> [f64; 2] {
+        let StretchStiffness { axial, coupling, torsional } = state.unchecked_stiffness();
+        match self {
+            Self::Loads { force, moment } => {
+                let (df, dm) = (force - state.force(), moment - state.moment());
+                let determinant = axial * torsional - coupling * coupling;
+                [(torsional * df - coupling * dm) / determinant, (axial * dm - coupling * df) / determinant]
+            }
+            Self::Turned { force, .. } => [(force - state.force()) / axial, 0.0],
+            Self::Clamped { strain, turning } => [strain - state.strain, turning - state.turning],
+        }
+    }
 }
 
 /// One layer of a loaded cable.
@@ -76,12 +93,12 @@ pub struct LayerState {
 }
 
 /// Why no state is found under given loads.
-enum Lost {
+pub(super) enum Lost {
     /// None near the lay as made.
     Nowhere,
     /// Where a layer comes to lie on its neighbours as well as on what is below, the loads step from one value to another at the same strain
-    /// and turning; between the two both carry.
-    Shared,
+    /// and turning; between the two both carry. The place near which layers changed over, and which did.
+    Shared { strain: f64, turning: f64, layers: Vec<usize> },
 }
 
 impl Lost {
@@ -90,9 +107,9 @@ impl Lost {
             Self::Nowhere => {
                 "such that a state near the lay as made holds it: strains between -1/2 and 1, no layer unlaid"
             }
-            Self::Shared => {
-                "outside the loads under which a layer lies on what is below and on its neighbours at once, where both share \
-                 them in a proportion that is not worked out here: a little more or less of force or moment is answered"
+            Self::Shared { .. } => {
+                "outside the loads under which several layers at once come to lie on what is below and on their neighbours: \
+                 a little more or less of force or moment is answered"
             }
         };
         DomainError { quantity: "force", value, allowed }
@@ -109,7 +126,9 @@ pub struct CableState {
     energy: Jet2,
     core: Option<(f64, [f64; 2], f64)>,
     layers: Vec<LayerState>,
-    contraction: f64,
+    contraction: Option<f64>,
+    /// of the layers that lie on both, in order
+    meetings: Vec<Jet2>,
     outer_radius: f64,
 }
 
@@ -152,45 +171,39 @@ impl Cable {
             CableGrips::Clamped { strain, turning } => {
                 finite("turning", turning)?;
                 DomainError::check(strain > -0.5 && strain < 1.0, "strain", strain, "between -1/2 and 1")?;
-                self.at(strain, turning)
+                self.at(strain, turning, &Sharing::NONE)
                     .ok_or_else(|| DomainError { quantity: "turning", ..Lost::Nowhere.said(turning) })
             }
             CableGrips::Turned { force, turning } => {
                 finite("force", force)?;
                 finite("turning", turning)?;
-                self.sought(turning, |k| [(force - k.force()) / k.unchecked_stiffness().axial, 0.0])
-                    .map_err(|why| why.said(force))
+                self.sought(grips, [0.0, turning]).or_else(|why| self.shared(grips, why)).map_err(|why| why.said(force))
             }
             CableGrips::Loads { force, moment } => {
                 finite("force", force)?;
                 finite("moment", moment)?;
-                let newton = |state: &CableState| {
-                    let StretchStiffness { axial, coupling, torsional } = state.unchecked_stiffness();
-                    let (df, dm) = (force - state.force(), moment - state.moment());
-                    let determinant = axial * torsional - coupling * coupling;
-                    [(torsional * df - coupling * dm) / determinant, (axial * dm - coupling * df) / determinant]
-                };
-                self.sought(0.0, newton).map_err(|why| why.said(force))
+                self.sought(grips, [0.0; 2]).or_else(|why| self.shared(grips, why)).map_err(|why| why.said(force))
             }
         }
     }
 
-    /// Newton's iteration from the lay as made, its steps shortened where they would unlay a layer.
-    fn sought(&self, turning: f64, newton: impl Fn(&CableState) -> [f64; 2]) -> Result<CableState, Lost> {
+    /// Newton's iteration from a strain and a turning, its steps shortened where they would unlay a layer.
+    pub(super) fn sought(&self, grips: CableGrips, [strain, turning]: [f64; 2]) -> Result<CableState, Lost> {
         let regime = |state: &CableState| state.layers.iter().map(|layer| layer.support).collect::<Vec<_>>();
-        let mut here = self.at(0.0, turning).ok_or(Lost::Nowhere)?;
-        // whether contacts still changed in the last steps
-        let mut changing: i32 = 0;
+        let mut here = self.at(strain, turning, &Sharing::NONE).ok_or(Lost::Nowhere)?;
+        // the step in which a layer last changed over
+        let mut changed = vec![None; self.layers.len()];
         let least = self.layers.iter().map(|laid| laid.angle.tan() / laid.radius).fold(f64::INFINITY, f64::min);
         let mut last = f64::INFINITY;
-        for _ in 0..200 {
-            let [de, dw] = newton(&here);
+        const MOST: usize = 200;
+        for step in 0..MOST {
+            let [de, dw] = grips.step_from(&here);
             if !(de.is_finite() && dw.is_finite()) {
                 return Err(Lost::Nowhere);
             }
             let mut share = (0.1 / de.abs()).min(0.3 * least / dw.abs()).min(1.0);
             let next = loop {
-                let there = self.at(here.strain + share * de, here.turning + share * dw);
+                let there = self.at(here.strain + share * de, here.turning + share * dw, &Sharing::NONE);
                 match there {
                     Some(next) if next.strain > -0.5 && next.strain < 1.0 => break next,
                     _ if share > 1e-6 => share *= 0.5,
@@ -200,18 +213,27 @@ impl Cable {
             // Newton's steps shrink by squares until rounding is all that is left of them
             let size = de.abs().max(dw.abs() / least);
             let done = share >= 1.0 && (size <= 1e-16 || size <= 1e-9 && size >= 0.25 * last);
-            changing = if regime(&next) == regime(&here) { (changing - 1).max(0) } else { 8 };
+            for (last, (a, b)) in changed.iter_mut().zip(regime(&next).iter().zip(&regime(&here))) {
+                if a != b {
+                    *last = Some(step);
+                }
+            }
             here = next;
             last = size;
             if done {
                 return Ok(here);
             }
         }
-        Err(if changing > 0 { Lost::Shared } else { Lost::Nowhere })
+        let lately = |(i, last): (usize, &Option<usize>)| last.is_some_and(|step| step + 8 > MOST).then_some(i);
+        let layers: Vec<usize> = changed.iter().enumerate().filter_map(lately).collect();
+        if layers.is_empty() {
+            return Err(Lost::Nowhere);
+        }
+        Err(Lost::Shared { strain: here.strain, turning: here.turning, layers })
     }
 
-    /// The state at a strain and a turning; `None` where a layer is unlaid.
-    fn at(&self, strain: f64, turning: f64) -> Option<CableState> {
+    /// The state at a strain and a turning, with the layers that share; `None` where a layer is unlaid.
+    pub(super) fn at(&self, strain: f64, turning: f64, sharing: &Sharing) -> Option<CableState> {
         let mut below = match self.core {
             Some(core) => {
                 let nu = core.poissons_ratio();
@@ -227,36 +249,44 @@ impl Cable {
                 + core.coupling() * (e * w)
         });
         let mut deformed: Vec<Deformed> = Vec::with_capacity(self.layers.len());
-        for laid in &self.layers {
-            let here = laid.deformed(strain, turning, below)?;
+        let mut meetings = Vec::new();
+        for (i, laid) in self.layers.iter().enumerate() {
+            let here = laid.deformed(strain, turning, below, sharing.pushes(i).is_some())?;
             energy = energy + self.per_length(laid) * here.energy;
+            if let (Some(push), Some(meeting)) = (sharing.pushes(i), here.meeting) {
+                energy = energy + push * meeting;
+                meetings.push(meeting);
+            }
             below = here.outer;
             deformed.push(here);
         }
-        // what each layer presses with, from the outside in
-        let mut carried = vec![0.0; deformed.len()];
+        // what each layer presses with, from the outside in: on what is below, and between neighbours
+        let mut carried = vec![[0.0; 2]; deformed.len()];
         let mut above = 0.0;
         for (i, (laid, here)) in self.layers.iter().zip(&deformed).enumerate().rev() {
             let inward = self.per_length(laid) * here.by_radius + above * here.outer_by_radius;
-            carried[i] = inward / here.give;
-            above = if here.support == LayerSupport::Below { carried[i] } else { 0.0 };
+            let between = match here.support {
+                LayerSupport::Below => 0.0,
+                LayerSupport::Neighbours => inward,
+                LayerSupport::Both => sharing.pushes(i).unwrap_or(0.0),
+            };
+            carried[i] = [(inward - between) / here.give[0], between / here.give[1]];
+            above = carried[i][0];
         }
         let layers = self.layers.iter().zip(&deformed).enumerate().map(|(i, (laid, here))| {
             let rods = self.per_length(laid);
-            let above = match deformed.get(i + 1).map(|above| above.support) {
-                Some(LayerSupport::Below) => carried[i + 1],
-                _ => 0.0,
-            };
-            let [force, moment] =
-                laid.share(here, strain, turning, carried[i] / rods, above / rods).map(|share| rods * share);
+            let above = carried.get(i + 1).map_or(0.0, |[below, _]| *below);
+            let [force, moment] = laid
+                .share(here, strain, turning, carried[i].map(|load| load / rods), above / rods)
+                .map(|share| rods * share);
             let rod = laid.layer.rod;
             let (n, r) = (f64::from(laid.layer.strands), rod.radius());
             let thick = r * (1.0 - rod.poissons_ratio() * here.strain);
-            let (pressure_below, interstrand_pressure, gap) = match here.support {
-                LayerSupport::Below => {
-                    (carried[i] / n, 0.0, 2.0 * (here.radius.value / here.touching.radius_ratio() - thick))
-                }
-                LayerSupport::Neighbours => (0.0, 0.5 * carried[i] / n * here.touching.radius_ratio(), 0.0),
+            let [pressure_below, between] = carried[i].map(|load| load / n);
+            let interstrand_pressure = 0.5 * between * here.touching.radius_ratio();
+            let gap = match here.support {
+                LayerSupport::Below => 2.0 * (here.radius.value / here.touching.radius_ratio() - thick),
+                LayerSupport::Neighbours | LayerSupport::Both => 0.0,
             };
             // wires along each other: loads per length of their common line
             let wire =
@@ -295,10 +325,7 @@ impl Cable {
             }
         });
         let layers: Vec<LayerState> = layers.collect();
-        let on_core = match deformed.first() {
-            Some(first) if first.support == LayerSupport::Below => carried[0],
-            _ => 0.0,
-        };
+        let on_core = carried.first().map_or(0.0, |[below, _]| *below);
         let core = self.core.map(|core| {
             let force = core.axial_stiffness() * strain + core.coupling() * turning + on_core * core_radius.a;
             let moment = core.torsional_stiffness() * turning + core.coupling() * strain;
@@ -311,7 +338,8 @@ impl Cable {
             energy,
             core,
             layers,
-            contraction: -below.a / below.value,
+            contraction: meetings.is_empty().then_some(-below.a / below.value),
+            meetings,
             outer_radius: below.value,
         })
     }
@@ -383,9 +411,10 @@ impl CableState {
         self.outer_radius
     }
 
-    /// By how much the outside shrinks per strain at no turning, over itself: Poisson's ratio of the cable, which may be more than 1/2.
+    /// By how much the outside shrinks per strain at no turning, over itself: Poisson's ratio of the cable, which may be more than 1/2. `None`
+    /// where a layer lies on what is below and on its neighbours: no strain at no turning keeps both.
     #[must_use]
-    pub const fn contraction(&self) -> f64 {
+    pub const fn contraction(&self) -> Option<f64> {
         self.contraction
     }
 
@@ -398,14 +427,16 @@ impl CableState {
         self.layers.iter().any(|layer| layer.pressure_below < least || layer.interstrand_pressure < least)
     }
 
-    /// The 2 × 2 stiffness, per cable length as made: EA, coupling, GJ; `None` unless it resists every small strain and turning.
+    /// The 2 × 2 stiffness, per cable length as made: EA, coupling, GJ; `None` unless it resists every small strain and turning, and where a layer
+    /// lies on what is below and on its neighbours: as long as both push, small changes of the loads are met without strain and turning of their
+    /// own, and there is no such matrix.
     ///
     /// Symmetric: the second derivatives of the energy, the radius of every layer following what it lies on.
     #[must_use]
     pub fn stiffness(&self) -> Option<StretchStiffness> {
         let k = self.unchecked_stiffness();
         let positive = k.axial > 0.0 && k.torsional > 0.0 && k.axial * k.torsional > k.coupling * k.coupling;
-        positive.then_some(k)
+        (positive && self.meetings.is_empty()).then_some(k)
     }
 
     pub(super) const fn unchecked_stiffness(&self) -> StretchStiffness {
@@ -413,10 +444,32 @@ impl CableState {
     }
 
     /// Moment over force and outer diameter while the ends cannot turn: the torque factor of rope makers, right-handed positive. As the ratio of small
-    /// changes about this state.
+    /// changes about this state; `None` where two layers lie on what is below and on their neighbours, so that the moment is not told by the force.
     #[must_use]
-    pub fn torque_factor(&self) -> f64 {
-        self.unchecked_stiffness().moment_by_force() / (2.0 * self.outer_radius)
+    pub fn torque_factor(&self) -> Option<f64> {
+        let by_force = match self.meetings[..] {
+            [] => self.unchecked_stiffness().moment_by_force(),
+            // neither strain nor turning changes: what changes is how the two contacts share
+            [meeting] => meeting.b / meeting.a,
+            _ => return None,
+        };
+        Some(by_force / (2.0 * self.outer_radius))
+    }
+
+    /// Whether a layer lies on what is below and on its neighbours at once.
+    #[must_use]
+    pub fn shares(&self) -> bool {
+        !self.meetings.is_empty()
+    }
+
+    /// What must vanish for the layers that share, with derivatives by strain and turning.
+    pub(super) fn meetings(&self) -> &[Jet2] {
+        &self.meetings
+    }
+
+    /// Energy per cable length as made, of layers that share with what holds them together.
+    pub(super) const fn energy(&self) -> Jet2 {
+        self.energy
     }
 
     /// The hand of the outermost layer.

@@ -9,6 +9,7 @@ mod ply;
 mod potential;
 mod reduced;
 mod response;
+mod seam;
 mod search;
 mod state;
 mod strand;

@@ -46,3 +46,12 @@ pub(super) fn core(ply: &ExtensiblePly, angle: HelicalAngle, strain: f64) -> Jet
     let radius = thickness_of(ply, strain) + core_radius(ply, angle, strain);
     lambda * sin * radius.recip()
 }
+
+/// cos θ (s ρ(θ) − s − r_core), which vanishes where strands on the core touch their neighbours too, and stays finite at flat rings. NaN
+/// without a core.
+pub(super) fn seam(ply: &ExtensiblePly, angle: HelicalAngle, strain: f64) -> Jet2 {
+    let curved = Contact::at(ply.strands(), angle).curved();
+    let (radius, cos) = (Jet2::of_a(curved.radius), Jet2::of_a(curved.cos));
+    let thick = thickness_of(ply, strain);
+    thick * radius - cos * (thick + core_radius(ply, angle, strain))
+}

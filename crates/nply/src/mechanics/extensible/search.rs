@@ -6,7 +6,8 @@ use super::grips::{Axial, Grips, Turning};
 use super::obstacle;
 use super::ply::ExtensiblePly;
 use super::potential::Potential;
-use super::reduced::{Held, Here, OnSurface, Reduced};
+use super::reduced::{Held, Here, Reduced};
+use super::seam;
 use super::state::{ExtensibleState, LEAST_STRAIN, MOST_STRAIN, beyond};
 use crate::geometry::{Contact, HelicalAngle, SpecialLays};
 use crate::mechanics::{Load, Support, Twist};
@@ -222,66 +223,27 @@ impl<'p> Search<'p> {
         ranges
     }
 
-    /// Neighbours and core both touch: along the strain, the angle following.
+    /// Neighbours and core both touch: along the seam of both.
     fn on_both(&self, states: &mut Vec<ExtensibleState>) {
         let reduced = self.reduced(Support::Neighbours);
         let Some(core) = self.ply.core() else { return };
-        let Ok(start) = Contact::from_radius_ratio(self.ply.strands(), 1.0 + core.radius()) else { return };
-        if start.shift_ratio_squared() == 0.0 {
+        if !self.ply.strand().stretches() {
+            // one angle alone, at any loads; a displacement that is held would have to be just that of this angle
+            if let Ok(start) = Contact::from_radius_ratio(self.ply.strands(), 1.0 + core.radius())
+                && start.shift_ratio_squared() > 0.0
+                && self.held.extension.is_none()
+                && self.held.rotation.is_none()
+            {
+                self.keep(Support::Both, start.angle(), reduced.bound(start.angle(), 0.0).value, 0.0, states);
+            }
             return;
         }
-        if let Some((angle, strain)) = self.settle_on_both(&reduced, start.angle()) {
-            let rotation = reduced.bound(angle, strain).value;
-            self.keep(Support::Both, angle, rotation, strain, states);
-        }
-    }
-
-    /// Newton's iteration in angle and strain, from the shape without stretch.
-    fn settle_on_both(&self, reduced: &Reduced<'_>, start: HelicalAngle) -> Option<(HelicalAngle, f64)> {
-        let (mut t, mut e) = (start.radians(), 0.0);
-        let stretches = self.ply.strand().stretches();
-        if !stretches {
-            // one angle alone, at any loads; a displacement that is held would have to be just that of this angle
-            return (self.held.extension.is_none() && self.held.rotation.is_none()).then_some((start, 0.0));
-        }
         if self.held.extension.is_some() && self.held.rotation.is_some() {
-            return None; // two contacts and two displacements ask for more than three unknowns can give
+            return; // two contacts and two displacements ask for more than three unknowns can give
         }
-        for _ in 0..60 {
-            if !(t > 0.0 && t < FRAC_PI_2) {
-                return None;
-            }
-            let angle = HelicalAngle::steep(t);
-            let b = obstacle::neighbours(self.ply, angle, e);
-            let d = b - obstacle::core(self.ply, angle, e);
-            let second = match (self.held.extension, self.held.rotation) {
-                (Some(z), _) => ((1.0 + e) * angle.cos() - z, -(1.0 + e) * angle.sin(), angle.cos()),
-                (_, Some(y)) => (b.value - y, b.a, b.b),
-                _ => {
-                    // the slope of the energy along d = 0: W_e d_θ − W_θ d_e
-                    let at = reduced.potential.at(&Reduced::spot(angle, b.value, e));
-                    let on = OnSurface::of(&at, &b);
-                    (
-                        on.by_strain * d.a - on.by_angle * d.b,
-                        on.angle_strain * d.a + on.by_strain * d.aa - on.angle_angle * d.b - on.by_angle * d.ab,
-                        on.strain_strain * d.a + on.by_strain * d.ab - on.angle_strain * d.b - on.by_angle * d.bb,
-                    )
-                }
-            };
-            let determinant = d.a * second.2 - d.b * second.1;
-            let dt = (d.value * second.2 - d.b * second.0) / determinant;
-            let de = (d.a * second.0 - d.value * second.1) / determinant;
-            if !(dt.is_finite() && de.is_finite()) {
-                return None;
-            }
-            // no further than half way to either end at once
-            let damp = (0.5 * t / dt.abs()).min(0.5 * (FRAC_PI_2 - t) / dt.abs()).min(0.25 / de.abs()).min(1.0);
-            (t, e) = (t - damp * dt, e - damp * de);
-            if damp >= 1.0 && dt.abs() < 1e-14 && de.abs() < 1e-15 {
-                return (LEAST_STRAIN..=MOST_STRAIN).contains(&e).then(|| (HelicalAngle::steep(t), e));
-            }
+        for (angle, strain) in seam::places(&reduced) {
+            self.keep(Support::Both, angle, reduced.bound(angle, strain).value, strain, states);
         }
-        None
     }
 
     /// The state at a place, if its contacts push and nothing else is in the way.

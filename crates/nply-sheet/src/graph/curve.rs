@@ -1,18 +1,18 @@
-//! The curves of a sweep, worked out.
+//! The curves of a graph, worked out.
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Equilibrium};
 
 use super::course::Place;
 use super::window::{Window, weights};
-use super::{Series, Sweep};
+use super::{Graph, Series};
 use crate::plot::sample::sampled;
 use crate::report::Column;
 
 /// States in their order along one curve: all pressing, or all separated.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct SweepCurve {
+pub struct GraphCurve {
     /// n.
     pub strands: u32,
     /// The balance in force.
@@ -22,13 +22,13 @@ pub struct SweepCurve {
     /// Whether neighbours would have to pull on each other (p₁ < 0).
     pub separated: bool,
     /// From one end to the other; two curves that part where p₁ vanishes share that point.
-    pub points: Vec<SweepPoint>,
+    pub points: Vec<GraphPoint>,
 }
 
 /// One state and the datum that holds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct SweepPoint {
+pub struct GraphPoint {
     /// The datum that runs, dimensionless; a lay angle in rad.
     pub x: f64,
     /// The state.
@@ -38,10 +38,10 @@ pub struct SweepPoint {
 /// Halvings that find a border to rounding.
 const HALVINGS: u32 = 60;
 
-impl Sweep {
+impl Graph {
     /// Every state within the range, as curves: no two states are joined that do not hang together.
     #[must_use]
-    pub fn curves(&self) -> Vec<SweepCurve> {
+    pub fn curves(&self) -> Vec<GraphCurve> {
         let mut curves = Vec::new();
         for series in &self.series {
             for &hand in &self.hands {
@@ -53,7 +53,7 @@ impl Sweep {
         curves
     }
 
-    fn follow(&self, series: &Series, hand: Handedness, k: usize, curves: &mut Vec<SweepCurve>) {
+    fn follow(&self, series: &Series, hand: Handedness, k: usize, curves: &mut Vec<GraphCurve>) {
         let course = &series.course;
         let at = |parameter: f64| course.at(hand, k, parameter);
         let parameters = course.parameters(self.scales.log_x);
@@ -83,12 +83,12 @@ impl Sweep {
         for run in sampled(at, place, &parameters) {
             for piece in within(&run, &at, &inside) {
                 let parts = parted(&piece, &at);
-                curves.extend(parts.into_iter().map(|(separated, points)| SweepCurve {
+                curves.extend(parts.into_iter().map(|(separated, points)| GraphCurve {
                     strands: series.strands,
                     balance: series.balance,
                     handedness: hand,
                     separated,
-                    points: points.into_iter().map(|(_, (x, state))| SweepPoint { x, state }).collect(),
+                    points: points.into_iter().map(|(_, (x, state))| GraphPoint { x, state }).collect(),
                 }));
             }
         }

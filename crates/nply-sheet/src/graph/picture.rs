@@ -1,22 +1,22 @@
-//! A sweep as a picture: a panel for each thing asked.
+//! A graph as a picture: a panel for each thing asked.
 
 use std::collections::BTreeSet;
 
 use nply::Handedness;
 
 use super::window::{Window, weights};
-use super::{Sweep, SweepCurve, SweepPoint, ask};
+use super::{Graph, GraphCurve, GraphPoint, ask};
 use crate::plot::{Axis, Chart, Curve, Picture};
 use crate::report::Reading;
 
 /// The black of the palette, for what is of no ply.
 const BLACK: usize = 6;
 
-impl Sweep {
+impl Graph {
     /// One chart for each thing asked. Colours tell numbers of strands (a left-handed ply is paler) or, where there is one, hands; thin
     /// lines are those of radial balance where both are drawn; dashed ones are separated.
     #[must_use]
-    pub fn charts(&self, curves: &[SweepCurve]) -> Vec<Chart> {
+    pub fn charts(&self, curves: &[GraphCurve]) -> Vec<Chart> {
         let several = self.ask.len() > 1;
         self.ask
             .iter()
@@ -31,13 +31,13 @@ impl Sweep {
 
     /// All of them above each other.
     #[must_use]
-    pub fn picture(&self, curves: &[SweepCurve]) -> Picture {
+    pub fn picture(&self, curves: &[GraphCurve]) -> Picture {
         Picture::column(self.charts(curves))
     }
 
-    fn chart(&self, asked: usize, curves: &[SweepCurve]) -> Chart {
+    fn chart(&self, asked: usize, curves: &[GraphCurve]) -> Chart {
         let column = self.ask[asked];
-        let along = |point: &SweepPoint| match self.against {
+        let along = |point: &GraphPoint| match self.against {
             Some(column) => column.of(&point.state).unwrap_or(f64::NAN),
             None => point.x,
         };
@@ -92,7 +92,7 @@ impl Sweep {
     }
 
     /// A curve in its colour and width, with its name.
-    fn drawn(&self, curve: &SweepCurve, curves: &[SweepCurve], points: Vec<(f64, f64)>) -> Curve {
+    fn drawn(&self, curve: &GraphCurve, curves: &[GraphCurve], points: Vec<(f64, f64)>) -> Curve {
         let numbers: BTreeSet<u32> = curves.iter().map(|curve| curve.strands).collect();
         let hands = self.hands.len() > 1;
         let balances: BTreeSet<&str> = curves.iter().map(|curve| curve.balance.name()).collect();

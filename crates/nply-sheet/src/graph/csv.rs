@@ -1,27 +1,27 @@
-//! A sweep's numbers as comma-separated values.
+//! A graph's numbers as comma-separated values.
 
 use nply::Handedness;
 
-use super::{Sweep, SweepCurve};
+use super::{Graph, GraphCurve};
 use crate::report::unit_suffix;
 
-impl Sweep {
+impl Graph {
     /// Every point of these curves: which ply, which curve, the datum, what is asked; all dimensionless, and in SI where the scale is
     /// known.
     ///
     /// ```
     /// use nply_sheet::Spec;
-    /// use nply_sheet::sweep::SweepFlags;
+    /// use nply_sheet::graph::GraphFlags;
     /// let ply = Spec::from_flags([("strands", "2"), ("stiffness-ratio", "0.75")])?;
-    /// let flags = SweepFlags { sweep: "pretwist=-1..1".into(), ask: vec!["helical_angle".into()], ..SweepFlags::default() };
-    /// let sweep = ply.check_sweep(&flags)?;
-    /// assert!(sweep.csv(&sweep.curves()).starts_with("strands,balance,handedness,separated,curve,pretwist,helical_angle_deg\n"));
+    /// let flags = GraphFlags { sweep: "pretwist=-1..1".into(), ask: vec!["helical_angle".into()], ..GraphFlags::default() };
+    /// let graph = ply.check_graph(&flags)?;
+    /// assert!(graph.csv(&graph.curves()).starts_with("strands,balance,handedness,separated,curve,pretwist,helical_angle_deg\n"));
     /// # Ok::<(), nply_sheet::SpecError>(())
     /// ```
     #[must_use]
-    pub fn csv(&self, curves: &[SweepCurve]) -> String {
+    pub fn csv(&self, curves: &[GraphCurve]) -> String {
         let known = self.known();
-        let (datum, ..) = Sweep { against: None, ..self.clone() }.axis(1.0);
+        let (datum, ..) = Graph { against: None, ..self.clone() }.axis(1.0);
         let mut names = ["strands", "balance", "handedness", "separated", "curve", datum].map(str::to_owned).to_vec();
         let columns: Vec<_> = self.against.iter().chain(&self.ask).copied().collect();
         for column in &columns {
