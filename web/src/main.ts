@@ -1,7 +1,7 @@
 // The page: a state, the solver's answer to it, and the views of both.
 
 import './styles/page.css'
-import type { PlyState, Refusal, Report } from './answer.ts'
+import type { PlyState, Refusal, Report, Walk } from './answer.ts'
 import { isRefusal, STRAIGHT } from './answer.ts'
 import { begin } from './controls/presets.ts'
 import { loaded } from './controls/choice.ts'
@@ -9,7 +9,7 @@ import { Panel } from './controls/panel.ts'
 import { byId, el } from './element.ts'
 import { forget, say, tell } from './events.ts'
 import { windowOf } from './figures/context.ts'
-import type { Context } from './figures/context.ts'
+import type { Context, Happened } from './figures/context.ts'
 import type { Figure } from './figures/figure.ts'
 import { History } from './history.ts'
 import { digits, lengthUnit, scaleOf } from './reading.ts'
@@ -24,7 +24,7 @@ import { isDark, pressureColour } from './theme.ts'
 import { section } from './view/section.ts'
 import { drawPly } from './view/drawn.ts'
 import type { Scene } from './view/scene.ts'
-import { heightOf, shapeOf } from './view/shape.ts'
+import { heightOf, MOST_DRAWN, shapeOf } from './view/shape.ts'
 import type { Shape } from './view/shape.ts'
 
 const solver = new Solver()
@@ -43,6 +43,7 @@ let figures: readonly Figure[] = []
 let panel: Panel | null = null
 let hello: Hello | null = null
 let numbersShown: () => void = () => {}
+let happened: readonly Happened[] = []
 /** The state to which the answer belongs. */
 let answered: State | null = null
 
@@ -60,10 +61,15 @@ function go(state: State): void {
   solve({ state, of: 'history' })
 }
 
+/** Changes after which the ply is not followed from where it was. */
+const ELSEWHERE = ['history', 'preset', 'story', 'choose']
+
 const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
-  const told = of !== 'history' && of !== 'preset' && of !== 'story'
-  const before = told && answer && answered && state.at === answered.at ? answer.before : null
-  const got = await solver.ask('solve', { data: state.data, at: state.at, before, along: state.look.along })
+  // what a hand moves is followed along its branch; what is chosen, opened or undone is where it says
+  const told = !ELSEWHERE.includes(of)
+  const before = (told && answer?.before) || null
+  const at0 = told ? (answered?.at ?? state.at) : state.at
+  const got = await solver.ask('solve', { data: state.data, at: at0, before, along: state.look.along })
   if (isRefusal(got)) {
     refusal = got.error
     if (!answer) {
@@ -89,6 +95,8 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
   if (sameData(history.now, state)) history.amend({ ...history.now, at })
   shape = shapeOf(got.report, ply, got.outline)
   if (got.walk && told) tell(got.walk, got.report, state.look.reading)
+  if (!told) happened = []
+  else if (got.walk && got.walk.events.length > 0) happened = [...happenings(got.walk, at), ...happened].slice(0, 4)
   document.body.classList.remove('stale')
   redraw()
   document.body.dataset['took'] = got.took.toFixed(2)
@@ -132,11 +140,19 @@ function curvesAsked(): CurvesAsked | null {
   }
 }
 
+function happenings(walk: Walk, at: number | null): Happened[] {
+  const words: Readonly<Record<string, string>> = { separation: 'strands part', fold: 'states end', contact_change: 'contacts change', straight: 'straight', most_turns: 'no more turns fit in', buckling: 'strands buckle' }
+  return walk.events.filter((event) => words[event.event]).map((event) => ({
+    force: event.force, moment: event.moment, pretwist: event.twist, from: event.angle, words: words[event.event]!,
+    to: event.jump === null ? null : event.jump === 'none' ? at : event.jump,
+  }))
+}
+
 // ---- what is shown
 
 function redraw(): void {
   const state = history.now
-  window.history.replaceState(null, '', toHash(state))
+  showAddress()
   byId<HTMLButtonElement>('undo').disabled = !history.canUndo
   byId<HTMLButtonElement>('redo').disabled = !history.canRedo
   showLook(state)
@@ -160,6 +176,13 @@ function straight(report: Report, number: number): PlyState | undefined {
   if (number !== STRAIGHT || report.straight_holds !== true) return undefined
   const { given } = report.question
   return { helical_angle_deg: 0, radius_ratio: shape?.radiusRatio, ...given } as unknown as PlyState
+}
+
+/** The link follows a little behind: browsers bear no more than some changes of it a second. */
+let addressing = 0
+function showAddress(): void {
+  clearTimeout(addressing)
+  addressing = window.setTimeout(() => window.history.replaceState(null, '', toHash(history.now)), 120)
 }
 
 /** Another state under the same data. */
@@ -228,21 +251,23 @@ function description(report: Report, number: number): string {
 function showLegend(pressure: number | undefined): void {
   const place = byId('legend')
   const { look } = history.now
+  const strands = answer?.report.strands ?? 0
+  const many = strands > MOST_DRAWN ? `${MOST_DRAWN} of ${strands} strands are drawn` : ''
   if (look.paint !== 'pressure' || pressure === undefined || !answer) {
-    place.replaceChildren()
+    place.textContent = many
     return
   }
   const { factor, unit } = scaleOf(answer.report, 'pressure', look.reading, Math.abs(pressure) || 1)
   const patch = el('i', { className: 'patch' })
   patch.style.backgroundColor = pressureColour(pressure)
-  place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''}`)
+  place.replaceChildren(patch, `p₁ ${digits(pressure * factor, 4)} ${unit}${pressure < 0 ? ', would have to pull' : ''} ${many}`)
 }
 
 function showFigures(): void {
   if (!answer || !curves) return
   const { report, number } = answer
   const asked = curvesAsked()
-  const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0 }
+  const context: Context = { state: history.now, report, ply: report.states[number], curves, twist: asked?.twist ?? 0, happened }
   for (const figure of figures) figure.show(context)
 }
 
@@ -292,7 +317,7 @@ function listen(story: Story): void {
   byId('link').addEventListener('click', async () => {
     const button = byId('link')
     try {
-      await navigator.clipboard.writeText(location.href)
+      await navigator.clipboard.writeText(new URL(toHash(history.now), location.href).href)
       button.textContent = 'Copied'
     } catch {
       button.textContent = 'See the address'

@@ -112,6 +112,17 @@ fn contents(path: &str) -> Result<(&str, Vec<u8>), Failure> {
     Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?))
 }
 
+/// The same of a file that may be larger, and what is said of one that is larger still.
+pub(crate) fn contents_of<'p>(path: &'p str, largest: u64, larger: &str) -> Result<(&'p str, Vec<u8>), Failure> {
+    let load = |file| load_up_to(file, largest, larger);
+    let (name, bytes) = if path == "-" {
+        ("standard input", load(Box::new(io::stdin()) as Box<dyn io::Read>))
+    } else {
+        (path, File::open(path).and_then(|file| load(Box::new(file))))
+    };
+    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?))
+}
+
 /// What changes at a corner of a study, by flags with a prefix, in the order in which they were given; `None` without any.
 pub(crate) fn corner(arguments: &ArgMatches, prefix: &str) -> Result<Option<Spec>, Failure> {
     let mut flags: Vec<(usize, &str, &str)> = KEYS
@@ -132,11 +143,14 @@ pub(crate) fn corner(arguments: &ArgMatches, prefix: &str) -> Result<Option<Spec
 }
 
 fn load(file: impl io::Read) -> io::Result<Vec<u8>> {
+    load_up_to(file, LARGEST, "it is larger than 1 MiB and can hardly be the description of a ply")
+}
+
+fn load_up_to(file: impl io::Read, largest: u64, larger: &str) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST {
-        let message = "it is larger than 1 MiB and can hardly be the description of a ply";
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    file.take(largest + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > largest {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, larger.to_owned()));
     }
     Ok(bytes)
 }

@@ -27,6 +27,7 @@ pub mod plot;
 mod preferred;
 mod preset;
 mod quantity;
+pub mod regression;
 pub mod render;
 mod report;
 mod solve;

@@ -1,6 +1,6 @@
 //! Curves: one datum runs, all else stands.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use nply::geometry::{BranchKind, Contact, HelicalAngle, branch_at_anomaly, branches};
 use nply::mechanics::{Equilibrium, Ply, Support, Twist};
@@ -160,13 +160,10 @@ fn diagram(strands: u32, points: usize, satellites: u32) -> Result<Vec<f64>, Dom
             number += 1.0;
         }
     }
-    let lambda = TAU / f64::from(strands);
+    // between odd and even multiples of π, on either side, each curve runs through once
     for k in 0..satellites {
-        // between multiples of π each curve runs through once
-        let side = if k % 2 == 0 { 1.0 } else { -1.0 };
-        let step = f64::from(k / 2);
-        let from = if side > 0.0 { if strands == 2 { 2.0 + step } else { 1.0 + step } } else { -1.0 - step } * PI;
-        let from = if side > 0.0 { from.max(lambda) } else { from };
+        let turn = f64::from(k / 2 + u32::from(strands == 2 && k % 2 == 0)); // the first of two strands is the mirror image above
+        let from = if k % 2 == 0 { (2.0 * turn + 1.0) * PI } else { -(2.0 * turn + 2.0) * PI };
         for i in 1..points {
             let share = i as f64 / points as f64;
             let eased = share * share * (3.0 - 2.0 * share);

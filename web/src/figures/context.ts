@@ -11,6 +11,17 @@ export interface Context {
   readonly curves: Curves
   /** The twist that is held, of the state on show. */
   readonly twist: number
+  /** What happened when the ply was last followed; with a jump, where it went: a signed angle. */
+  readonly happened: readonly Happened[]
+}
+
+export interface Happened {
+  readonly force: number
+  readonly moment: number
+  readonly pretwist: number
+  readonly from: number
+  readonly to: number | null
+  readonly words: string
 }
 
 /** From where to where a datum runs. */

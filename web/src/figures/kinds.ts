@@ -75,14 +75,14 @@ export const angle: FigureKind = {
   id: 'angle-pretwist',
   title: 'Angle against pretwist',
   about: 'Every state these strands can take as the twist put into them runs, at the loads of now. Dashed: touching strands would have to pull on each other.',
-  draw: (context) => course('pretwist', context, (point) => point.angle, (ply) => ply.helical_angle_deg, 'lay angle (°)', { y: { domain: [0, 90], label: 'lay angle (°)', grid: true, ticks: [0, 15, 30, 45, 60, 75, 90] } }, (_, factor) => cored(context, 'pretwist', factor, 2)),
+  draw: (context) => course('pretwist', context, (point) => point.angle, (ply) => ply.helical_angle_deg, 'lay angle (°)', { y: { domain: [0, 90], label: 'lay angle (°)', grid: true, ticks: [0, 15, 30, 45, 60, 75, 90] } }, (_, factor) => [...cored(context, 'pretwist', factor, 2), ...jumps(context, 'pretwist', factor, Math.abs)]),
 }
 
 export const pull: FigureKind = {
   id: 'force-extension',
   title: 'Force and extension',
   about: 'The length of the ply over that of its strands as the pull runs, ends free to turn under the moment of now.',
-  draw: (context) => course('force', context, (point) => point.extension, (ply) => Math.cos(ply.helical_angle), 'ply length / strand length', { y: { domain: [0, 1], label: 'ply length / strand length', grid: true } }, (_, factor) => cored(context, 'force', factor, 6)),
+  draw: (context) => course('force', context, (point) => point.extension, (ply) => Math.cos(ply.helical_angle), 'ply length / strand length', { y: { domain: [0, 1], label: 'ply length / strand length', grid: true } }, (_, factor) => [...cored(context, 'force', factor, 6), ...jumps(context, 'force', factor, (angle) => Math.cos((angle * Math.PI) / 180))]),
 }
 
 export const turn: FigureKind = {
@@ -95,6 +95,12 @@ export const turn: FigureKind = {
     const per = unit ? factor : 1 / (2 * Math.PI)
     return course('moment', context, (point) => point.rotation * per, (ply) => ((ply.handedness * Math.sin(ply.helical_angle)) / ply.radius_ratio) * per, label, { y: { label, grid: true }, marginLeft: 56 }, (_, along) => cored(context, 'moment', along, 7, per))
   },
+}
+
+/** Where it jumped when it was last followed, and where it went. */
+function jumps(context: Context, along: Along, factor: number, y: (angle: number) => number): Plot.Markish[] {
+  const found = context.happened.flatMap(({ from, to, ...data }) => (to === null ? [] : [{ x: data[along] * factor, from: y(from), to: y(to) }]))
+  return found.length === 0 ? [] : [Plot.arrow(found, { x1: 'x', x2: 'x', y1: 'from', y2: 'to', stroke: 'var(--now)', strokeWidth: 1.6, strokeDasharray: '2 2', headLength: 9, clip: true })]
 }
 
 /** States with a core, or parted: what else the ply can do as the datum runs. */
@@ -139,7 +145,7 @@ export function pressures(choose: (along: Along) => void): FigureKind {
       const most = Math.max(0.02, 1.4 * Math.abs(now), ...pressing.map((pressure) => Math.min(pressure, 3)))
       const { factor, unit } = scaleOf(context.report, 'pressure', context.state.look.reading, most)
       const label = `p₁ (${unit})`
-      const drawing = course(along, context, (point) => point.pressure * factor, (ply) => ply.interstrand_pressure * factor, label, { y: { domain: [-0.6 * most * factor, most * factor], label, grid: true }, marginLeft: 56 }, (_, x) => [Plot.ruleY([0], { stroke: 'var(--ink-2)' }), ...cored(context, along, x, 5, factor), ...coreNow(context, along, x, factor)])
+      const drawing = course(along, context, (point) => point.pressure * factor, (ply) => ply.interstrand_pressure * factor, label, { y: { domain: [Math.min(-0.6 * most, 1.25 * (context.ply?.interstrand_pressure ?? 0)) * factor, most * factor], label, grid: true }, marginLeft: 56 }, (_, x) => [Plot.ruleY([0], { stroke: 'var(--ink-2)' }), ...cored(context, along, x, 5, factor), ...coreNow(context, along, x, factor)])
       return drawing
     },
   }

@@ -3,7 +3,7 @@
 import * as Plot from '@observablehq/plot'
 import { digits, scaleOf } from '../reading.ts'
 import { windowOf } from './context.ts'
-import type { Window } from './context.ts'
+import type { Happened, Window } from './context.ts'
 import type { FigureKind } from './figure.ts'
 
 
@@ -94,6 +94,8 @@ export function plane(events: PlaneEvents): FigureKind {
             Plot.link(rays, { x1: 'x1', y1: 'y1', x2: 'x2', y2: 'y2', stroke: ink, strokeWidth: 0.9, strokeOpacity: 0.5, clip: true }),
             Plot.line(found, { x: 'force', y: 'moment', z: 'hand', stroke: ink, strokeWidth: 2.4, clip: true }),
             ...(ply ? [Plot.ruleX(now, { x: 'force', stroke: 'var(--now)', strokeOpacity: 0.3 }), Plot.ruleY(now, { y: 'moment', stroke: 'var(--now)', strokeOpacity: 0.3 })] : []),
+            Plot.dot(context.happened, { x: (event: Happened) => event.force * f.factor, y: (event: Happened) => event.moment * m.factor, symbol: 'diamond', r: 5, fill: 'var(--ground)', stroke: 'var(--now)', strokeWidth: 1.8, clip: true }),
+            Plot.text(context.happened, { x: (event: Happened) => event.force * f.factor, y: (event: Happened) => event.moment * m.factor, text: 'words', dy: -13, fill: 'var(--ink)', stroke: 'var(--card)', strokeWidth: 4, clip: true }),
             ...(context.curves.supported.force.length > 0 ? [Plot.text(['lines of touching strands, without a core'], { frameAnchor: 'bottom-left', dx: 4, dy: -4, fill: 'var(--ink-2)' })] : []),
             Plot.dot(now, { x: 'force', y: 'moment', r: 8, fill: ply ? ink({ hand: ply.handedness }) : 'none', stroke: 'var(--ground)', strokeWidth: 2.5 }),
             ...(dragging ? [] : [Plot.tip(inside, Plot.pointer({ x: 'force', y: 'moment', maxRadius: 14, fontSize: 12, lineHeight: 1.3, title: (row: Locus) => `strands part: ${row.hand > 0 ? 'Z' : 'S'} ${digits(row.angle, 4)}°\nforce ${digits(row.force, 4)}\nmoment ${digits(row.moment, 4)}` }))]),

@@ -2,7 +2,7 @@
 
 import type { Look } from '../state.ts'
 import { pressureColour, STRANDS } from '../theme.ts'
-import { heightOf, thickness, turnAt } from './shape.ts'
+import { heightOf, MOST_DRAWN, thickness, turnAt } from './shape.ts'
 import type { Shape } from './shape.ts'
 
 const PIECES = 220
@@ -34,7 +34,7 @@ export function drawPly(canvas: HTMLCanvasElement, shape: Shape, look: Look): vo
 
   const over = 2 * Math.sin(shape.theta)
   const pieces: Piece[] = []
-  for (let strand = 0; strand < shape.strands; strand++) {
+  for (let strand = 0; strand < Math.min(shape.strands, MOST_DRAWN); strand++) {
     let last: readonly [number, number, number] | null = null
     for (let i = 0; i <= PIECES; i++) {
       const z = low - over + ((high - low + 2 * over) * i) / PIECES

@@ -5,12 +5,11 @@ import * as THREE from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import type { Look } from '../state.ts'
 import { isDark, isStill, pressureColour, STRANDS } from '../theme.ts'
-import { heightOf, thickness, turnAt } from './shape.ts'
+import { heightOf, MOST_DRAWN, thickness, turnAt } from './shape.ts'
 import type { Shape } from './shape.ts'
 
 const ALONG = 420
 const AROUND = 40
-const MOST = 200
 
 /** Numbers of the ply that the card needs; shared by all of its materials. */
 function numbers() {
@@ -97,10 +96,10 @@ export class Scene {
         .replace('#include <common>', `#include <common>\n${PAINT}`)
         .replace('#include <color_fragment>', `#include <color_fragment>\n${COLOUR}`)
     }
-    this.#strand = new THREE.InstancedMesh(grid(), this.#material, MOST)
-    const lid = () => new THREE.InstancedMesh(new THREE.BufferGeometry(), new THREE.MeshStandardMaterial({ roughness: 0.8, side: THREE.DoubleSide }), MOST)
+    this.#strand = new THREE.InstancedMesh(grid(), this.#material, MOST_DRAWN)
+    const lid = () => new THREE.InstancedMesh(new THREE.BufferGeometry(), new THREE.MeshStandardMaterial({ roughness: 0.8, side: THREE.DoubleSide }), MOST_DRAWN)
     this.#lids = [lid(), lid()]
-    this.#lines = new THREE.InstancedMesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ color: 0x111111 }), MOST)
+    this.#lines = new THREE.InstancedMesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ color: 0x111111 }), MOST_DRAWN)
     this.#core = new THREE.Mesh(new THREE.CylinderGeometry(1, 1, 1, 64).rotateX(Math.PI / 2), new THREE.MeshStandardMaterial({ color: 0x999999, roughness: 0.7 }))
     for (const mesh of [this.#strand, ...this.#lids, this.#lines, this.#core]) {
       mesh.frustumCulled = false
@@ -136,9 +135,9 @@ export class Scene {
     this.#shape = shape
     this.#look = look
     const height = heightOf(shape)
-    const [low, top] = [-height / 2, height / 2]
+    const low = -height / 2
     const high = low + height * (0.04 + 0.96 * look.cut)
-    const n = Math.min(shape.strands, MOST)
+    const n = Math.min(shape.strands, MOST_DRAWN)
     const u = this.#numbers
     u.uRadius.value = shape.radiusRatio
     u.uSin.value = Math.sin(shape.theta)
@@ -160,9 +159,9 @@ export class Scene {
     this.#material.side = look.inside ? THREE.DoubleSide : THREE.FrontSide
 
     if (rebuilt) for (const lid of this.#lids) replace(lid, lidOf(shape.outline))
-    this.#turn(this.#strand, n, 0, 0, 0)
-    this.#turn(this.#lids[0], n, turnAt(shape, low), low, 0.25)
-    this.#turn(this.#lids[1], n, turnAt(shape, high), high, 0.25)
+    this.#turn(this.#strand, n, shape.strands, 0, 0, 0)
+    this.#turn(this.#lids[0], n, shape.strands, turnAt(shape, low), low, 0.25)
+    this.#turn(this.#lids[1], n, shape.strands, turnAt(shape, high), high, 0.25)
     for (const lid of this.#lids) {
       const paper = lid.material as THREE.MeshStandardMaterial
       paper.transparent = look.inside
@@ -179,16 +178,15 @@ export class Scene {
     const size = 1 / thickness(shape)
     this.#ply.scale.setScalar(size)
     this.#ply.position.y = 0
-    void top
     this.draw()
   }
 
   /** Instances one beside the other, each turned by its share. */
-  #turn(mesh: THREE.InstancedMesh, n: number, azimuth: number, z: number, pale: number): void {
+  #turn(mesh: THREE.InstancedMesh, n: number, total: number, azimuth: number, z: number, pale: number): void {
     const [matrix, colour] = [new THREE.Matrix4(), new THREE.Color()]
     mesh.count = n
     for (let i = 0; i < n; i++) {
-      matrix.makeRotationZ(azimuth + (2 * Math.PI * i) / n).setPosition(0, 0, z)
+      matrix.makeRotationZ(azimuth + (2 * Math.PI * i) / total).setPosition(0, 0, z)
       mesh.setMatrixAt(i, matrix)
       colour.set(STRANDS[i % STRANDS.length]!)
       if (pale > 0) colour.lerp(new THREE.Color(0xffffff), pale)
@@ -231,7 +229,7 @@ export class Scene {
     const count = radius < 1e-9 ? 1 : n
     this.#lines.count = count
     const matrix = new THREE.Matrix4()
-    for (let i = 0; i < count; i++) this.#lines.setMatrixAt(i, matrix.makeRotationZ((2 * Math.PI * i) / n))
+    for (let i = 0; i < count; i++) this.#lines.setMatrixAt(i, matrix.makeRotationZ((2 * Math.PI * i) / shape.strands))
     this.#lines.instanceMatrix.needsUpdate = true
   }
 

@@ -2,7 +2,7 @@
 
 import { hex, STRANDS } from '../theme.ts'
 import { svg } from '../element.ts'
-import { turnAt } from './shape.ts'
+import { MOST_DRAWN, turnAt } from './shape.ts'
 import type { Shape } from './shape.ts'
 
 export function section(shape: Shape, height: number, label: string): SVGElement {
@@ -10,7 +10,7 @@ export function section(shape: Shape, height: number, label: string): SVGElement
   const reach = radiusRatio + 1.25
   const path = outlinePath(outline)
   const turn = (turnAt(shape, height) * 180) / Math.PI
-  const cuts = Array.from({ length: strands }, (_, i) => {
+  const cuts = Array.from({ length: Math.min(strands, MOST_DRAWN) }, (_, i) => {
     const degrees = turn + (360 * i) / strands
     return svg('path', { d: path, transform: `rotate(${degrees.toFixed(4)})`, fill: hex(STRANDS[i % STRANDS.length]!), class: 'cut' })
   })
@@ -20,7 +20,7 @@ export function section(shape: Shape, height: number, label: string): SVGElement
   else if (hole > 0.01) parts.push(svg('circle', { r: hole, class: 'hole' }))
   if (shape.sides.length === 4) {
     const [, , radius = 0, azimuth = 0] = shape.sides
-    for (let i = 0; i < (radius < 1e-9 ? 1 : strands); i++) {
+    for (let i = 0; i < (radius < 1e-9 ? 1 : Math.min(strands, MOST_DRAWN)); i++) {
       const at = azimuth + turnAt(shape, height) + (2 * Math.PI * i) / strands
       parts.push(svg('circle', { cx: radius * Math.cos(at), cy: radius * Math.sin(at), r: 0.025 * reach, class: 'touch' }))
     }

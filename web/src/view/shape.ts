@@ -42,6 +42,9 @@ function straight(report: Report, outline: Outline): Shape {
   return { strands: report.strands, theta: 0, radiusRatio, hand: 1, pretwist, pressure: 0, corePressure: 0, core: report.core_radius ?? null, touching: true, ...outline }
 }
 
+/** More strands than this are not drawn. */
+export const MOST_DRAWN = 200
+
 /** How much of the ply is shown, in strand radii: more of it where it is thick. */
 export const HEIGHT = 15
 export function heightOf(shape: Shape): number {

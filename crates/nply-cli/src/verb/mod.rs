@@ -6,6 +6,7 @@ mod contact;
 #[cfg(feature = "explore")]
 mod explore;
 mod figure;
+mod fit;
 mod fit_check;
 mod lays;
 mod link;
@@ -53,6 +54,7 @@ static VERBS: &[&Verb] = &[
     &lays::VERB,
     &spin::VERB,
     &actuator::VERB,
+    &fit::VERB,
     &preset::VERB,
     &fit_check::VERB,
     &stiffness::VERB,

@@ -1,6 +1,7 @@
 //! One ply, dimensionless, and the one question asked about it.
 
 mod ends;
+mod estimated;
 mod fibre;
 mod helix;
 mod lay;
@@ -24,6 +25,7 @@ use origin::Origins;
 
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
+pub(crate) use estimated::EstimatedPly;
 pub(crate) use relative::any_thermal;
 pub use strings::{StringStiffness, Strings};
 

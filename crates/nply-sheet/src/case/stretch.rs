@@ -105,7 +105,7 @@ pub(super) fn of(
 }
 
 /// ν by which strands thin, and the datum that gives it.
-fn thinning(spec: &Spec) -> Result<(f64, Option<&Entry>), SpecError> {
+pub(super) fn thinning(spec: &Spec) -> Result<(f64, Option<&Entry>), SpecError> {
     match (spec.get(Datum::PoissonsRatio), spec.get(Datum::ThinningRatio)) {
         (Some(one), Some(other)) => {
             let message = format!("{} and {} both say how strands thin: remove one of them", one.said(), other.said());
@@ -122,7 +122,7 @@ fn ratio_refused(entry: &Entry) -> SpecError {
 }
 
 /// α = EA r²/B, and the datum that gives it.
-fn axial<'s>(measure: &Measure<'s>) -> Result<(f64, &'s Entry), SpecError> {
+pub(super) fn axial<'s>(measure: &Measure<'s>) -> Result<(f64, &'s Entry), SpecError> {
     // EA r²/B of a solid round strand: π r⁴ over π r⁴/4
     const SOLID: f64 = 4.0;
     let spec = measure.spec;

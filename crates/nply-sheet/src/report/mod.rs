@@ -48,6 +48,7 @@ pub use writhe::{WritheQuestion, WritheReport, Writhing};
 
 pub(crate) use csv::unit_suffix;
 pub(crate) use json::header;
+pub(crate) use text::{Emphasis, Row, lay_out};
 
 use crate::{Case, Question, SpecError, solve::Solution};
 

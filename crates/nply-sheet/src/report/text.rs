@@ -11,19 +11,19 @@ use nply::Handedness;
 use nply::mechanics::{Equilibrium, Stability};
 
 /// Headings stand out where a terminal can show it.
-pub(super) struct Emphasis(pub(super) bool);
+pub(crate) struct Emphasis(pub(crate) bool);
 
 impl Emphasis {
-    pub(super) fn heading(&self, text: &str) -> String {
+    pub(crate) fn heading(&self, text: &str) -> String {
         if self.0 { format!("\u{1b}[1m{text}\u{1b}[0m") } else { text.to_owned() }
     }
 }
 
 /// A row before it is laid out: label, unit, one cell a state.
-pub(super) struct Row {
-    pub(super) label: String,
-    pub(super) unit: String,
-    pub(super) cells: Vec<String>,
+pub(crate) struct Row {
+    pub(crate) label: String,
+    pub(crate) unit: String,
+    pub(crate) cells: Vec<String>,
 }
 
 impl Report {
@@ -152,7 +152,7 @@ pub(super) fn title(case: &Case) -> String {
 }
 
 /// Labels to the left, numbers to the right, units between.
-pub(super) fn lay_out(out: &mut String, parts: &[(&str, Vec<Row>)], emphasis: &Emphasis) {
+pub(crate) fn lay_out(out: &mut String, parts: &[(&str, Vec<Row>)], emphasis: &Emphasis) {
     let rows = || parts.iter().flat_map(|(_, rows)| rows);
     let width = |text: &str| text.chars().count();
     let label = rows().map(|r| width(&r.label)).max().unwrap_or(0);

@@ -34,10 +34,15 @@ impl Spec {
                 // all are known: the document was read
                 let Some(key) = KEYS.iter().find(|key| key.table.name() == table && key.name == name) else { continue };
                 let written = match value.get_ref() {
-                    DeValue::String(content) => content.as_ref(),
-                    _ => text.get(value.span()).unwrap_or(""),
+                    DeValue::String(content) => content.clone().into_owned(),
+                    DeValue::Integer(whole) if whole.radix() != 10 => {
+                        i64::from_str_radix(whole.as_str(), whole.radix()).unwrap_or_default().to_string()
+                    }
+                    DeValue::Integer(whole) => whole.as_str().to_owned(),
+                    DeValue::Float(number) => number.as_str().to_owned(),
+                    _ => text.get(value.span()).unwrap_or("").to_owned(),
                 };
-                data.push((key, written.to_owned()));
+                data.push((key, written));
             }
         }
         Ok(data)

@@ -23,6 +23,7 @@ mod plying;
 mod potential;
 mod pressure;
 mod row;
+mod sensitivity;
 mod separation;
 mod stability;
 mod stiffness;
@@ -40,8 +41,8 @@ pub use energy::Energy;
 pub use equilibrium::Equilibrium;
 pub use extensible::{
     Axial, Clamped, ExtensiblePly, ExtensibleState, Fibre, FormedLay, Grips, StretchData, StretchEnergy,
-    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, Turning, WireStress,
-    WorkingCore,
+    StretchFlexibility, StretchPath, StretchStation, StretchStiffness, StretchingStrand, TouchingLoads, Turning,
+    WireStress, WorkingCore,
 };
 pub use ledger::Link;
 pub use load::Load;
@@ -50,6 +51,7 @@ pub use margin::{Cause, Change, Limit, Margin};
 pub use path::{Contacts, Data, End, Event, Mark, Path, Route, Station, Trace};
 pub use ply::Ply;
 pub use row::{Along, RowState};
+pub use sensitivity::{Sensitivity, Variable};
 pub use stability::Stability;
 pub use stiffness::Stiffness;
 pub use strand::StrandResultant;

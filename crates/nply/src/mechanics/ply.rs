@@ -60,7 +60,16 @@ impl Ply {
     }
 
     /// The same ply with another γ, without charting its branch anew.
-    pub(super) fn with_stiffness_ratio(&self, stiffness_ratio: f64) -> Result<Self, DomainError> {
+    ///
+    /// # Errors
+    /// [`DomainError`] on `stiffness_ratio` unless it is greater than 0 and finite.
+    ///
+    /// ```
+    /// use nply::mechanics::Ply;
+    /// assert_eq!(Ply::new(3, 0.75)?.with_stiffness_ratio(1.5)?.stiffness_ratio(), 1.5);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn with_stiffness_ratio(&self, stiffness_ratio: f64) -> Result<Self, DomainError> {
         Self::check_ratio(stiffness_ratio)?;
         Ok(Self { stiffness_ratio, ..self.clone() })
     }

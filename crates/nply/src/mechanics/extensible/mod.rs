@@ -14,6 +14,7 @@ mod search;
 mod state;
 mod strand;
 mod stress;
+mod touching;
 
 pub use grips::{Axial, Grips, Turning};
 pub use path::{StretchData, StretchPath, StretchStation};
@@ -23,3 +24,4 @@ pub use state::{ExtensibleState, StretchEnergy};
 pub(crate) use strand::check_poisson;
 pub use strand::{FormedLay, StretchingStrand, WorkingCore};
 pub use stress::{Fibre, WireStress};
+pub use touching::TouchingLoads;

@@ -1,0 +1,357 @@
+//! What is to be estimated, and from which columns.
+
+use nply::mechanics::Ply;
+
+use super::descent::{Bottom, Ground};
+use super::parameter::Slot;
+use super::row::{Datum, Row};
+use super::sensed::SLOTS;
+use super::state::Model;
+use super::{Observable, Parameter, Regressed, RegressionError, answer};
+
+/// What a column says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Given {
+    /// Of the ply.
+    State(Observable),
+    /// A twist put into the strands, row by row: always held.
+    Twist(Parameter),
+}
+
+impl Given {
+    /// The column's name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::State(observable) => observable.name(),
+            Self::Twist(parameter) => parameter.name(),
+        }
+    }
+}
+
+impl From<Observable> for Given {
+    fn from(observable: Observable) -> Self {
+        Self::State(observable)
+    }
+}
+
+impl From<Parameter> for Given {
+    fn from(parameter: Parameter) -> Self {
+        Self::Twist(parameter)
+    }
+}
+
+/// How a column counts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Role {
+    /// Exactly as given.
+    Held,
+    /// Measured, with one standard error for each row.
+    Measured(Vec<f64>),
+    /// Measured, its errors unknown and all alike: they are found from the residuals. One column only.
+    Unweighted,
+}
+
+/// A column of data: SI, or the theory's units where the strand has no size; NaN where nothing is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DataColumn {
+    /// What it says.
+    pub given: Given,
+    /// A number a row.
+    pub values: Vec<f64>,
+    /// How it counts.
+    pub role: Role,
+}
+
+impl DataColumn {
+    /// A column.
+    pub fn new(given: impl Into<Given>, values: Vec<f64>, role: Role) -> Self {
+        Self { given: given.into(), values, role }
+    }
+
+    /// A column that is held.
+    pub fn held(given: impl Into<Given>, values: Vec<f64>) -> Self {
+        Self::new(given, values, Role::Held)
+    }
+}
+
+/// Parameters to be estimated from rows.
+///
+/// A load in no column is 0, as elsewhere; one that is NaN in a row is unknown there, and found with the row's state.
+#[derive(Clone, Debug)]
+pub struct Regression {
+    pub(super) model: Model,
+    pub(super) asked: Vec<Parameter>,
+    pub(super) columns: Vec<DataColumn>,
+    pub(super) rows: Vec<Row>,
+    pub(super) weighed: bool,
+    pub(super) charted: Ply,
+    starts: usize,
+}
+
+impl Regression {
+    /// How many starts are tried if nothing else is said.
+    pub const STARTS: usize = 12;
+
+    /// Parameters of a model, which holds their starts, from columns; rows are counted from 1.
+    ///
+    /// # Errors
+    /// [`RegressionError`]: what is missing, too much, or does not go together.
+    pub fn new(model: Model, asked: &[Parameter], columns: Vec<DataColumn>) -> Result<Self, RegressionError> {
+        let count = columns.first().map_or(0, |column| column.values.len());
+        Self::with_lines(model, asked, columns, &(1..=count).collect::<Vec<_>>())
+    }
+
+    /// The same with the line of each row, for messages.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_lines(
+        model: Model,
+        asked: &[Parameter],
+        columns: Vec<DataColumn>,
+        lines: &[usize],
+    ) -> Result<Self, RegressionError> {
+        check_columns(&columns, lines)?;
+        let model = check_asked(model, asked, &columns)?;
+        let weighed = check_roles(&columns)?;
+        let gives = |observable| columns.iter().any(|column| column.given == Given::State(observable));
+        let absent: Vec<Observable> =
+            [Observable::Force, Observable::Moment].into_iter().filter(|load| !gives(*load)).collect();
+        for column in &columns {
+            if let Given::State(observable) = column.given
+                && observable.needs_length()
+                && model.strand_length.is_none()
+            {
+                return Err(RegressionError::NoLength(observable.name()));
+            }
+        }
+        let rows = rows(&model, &columns, lines, &absent)?;
+        let charted = Ply::with_balance(model.strands(), 1.0, model.balance())?;
+        let asked = asked.to_vec();
+        Ok(Self { model, asked, columns, rows, weighed, charted, starts: Self::STARTS })
+    }
+
+    /// The same with so many starts, 1 at least: the given one, and others about it.
+    #[must_use]
+    pub fn with_starts(mut self, starts: usize) -> Self {
+        self.starts = starts.max(1);
+        self
+    }
+
+    /// Estimates.
+    ///
+    /// The sum of squared residuals, each over its error, is walked down from several starts: the given one, and others about it within
+    /// a factor of four. In every one each row belongs to the state, among all in equilibrium, that is nearest to what was measured; it
+    /// is followed while parameters change, and looked for anew at the end.
+    ///
+    /// # Errors
+    /// [`RegressionError`] where rows have no state at any start, and where there are fewer data than parameters.
+    pub fn run(&self) -> Result<Regressed, RegressionError> {
+        let free: Vec<usize> = self.asked.iter().map(|parameter| parameter.slot() as usize).collect();
+        let sizes = self.sizes(&free);
+        let ground =
+            Ground { model: &self.model, charted: &self.charted, rows: &self.rows, free: &free, sizes: &sizes };
+        // scouts go over some of many rows
+        const SCOUTED: usize = 200;
+        let stride = self.rows.len().div_ceil(SCOUTED);
+        let some: Vec<Row> = self.rows.iter().step_by(stride).cloned().collect();
+        let scouts = Ground { rows: &some, ..ground };
+        let mut lost = None;
+        let mut bottoms: Vec<Bottom> = Vec::new();
+        for start in 0..self.starts {
+            match scouts.descend(self.start(start, &free, &sizes)) {
+                Ok(bottom) if bottom.chi_squared.is_finite() => bottoms.push(bottom),
+                Ok(_) => {}
+                Err(lines) => lost = lost.or(Some(lines)),
+            }
+        }
+        bottoms.sort_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
+        let mut best: Option<Bottom> = None;
+        if stride > 1 {
+            for bottom in bottoms.iter().take(2) {
+                match ground.descend(bottom.slots) {
+                    Ok(found) if best.as_ref().is_none_or(|best| found.chi_squared < best.chi_squared) => {
+                        best = Some(found);
+                    }
+                    Ok(_) => {}
+                    Err(lines) => lost = Some(lines),
+                }
+            }
+        } else {
+            best = bottoms.first().cloned();
+        }
+        let Some(best) = best else {
+            return Err(RegressionError::NoState { lines: lost.unwrap_or_default() });
+        };
+        answer::of(self, &ground, best, &bottoms)
+    }
+
+    /// The size of one step in each slot: 1 in a logarithm, a twist by its own size.
+    fn sizes(&self, free: &[usize]) -> Vec<f64> {
+        let strand = self.model.strand(self.model.slots(), None);
+        let size = |k: &usize| {
+            if *k != Slot::Twist as usize {
+                return 1.0;
+            }
+            let given = self.model.slots()[*k].abs();
+            let dimensionless = self.asked.contains(&Parameter::Pretwist);
+            given.max(if dimensionless { 0.1 } else { 0.1 / strand.radius.value })
+        };
+        free.iter().map(size).collect()
+    }
+
+    /// Start number 0 is the given one; others are spread about it evenly (Halton's sequence), within a factor of four, a twist
+    /// between twice its size either way.
+    fn start(&self, number: usize, free: &[usize], sizes: &[f64]) -> [f64; SLOTS] {
+        const BASES: [usize; SLOTS] = [2, 3, 5, 7, 11];
+        let mut slots = *self.model.slots();
+        if number == 0 {
+            return slots;
+        }
+        for ((k, size), base) in free.iter().zip(sizes).zip(BASES) {
+            let share = 2.0 * halton(number, base) - 1.0;
+            slots[*k] =
+                if *k == Slot::Twist as usize { 2.0 * share * size } else { slots[*k] + share * libm::log(4.0) };
+        }
+        slots
+    }
+}
+
+/// The number'th of points spread evenly over 0 to 1.
+fn halton(number: usize, base: usize) -> f64 {
+    let (mut rest, mut share, mut sum) = (number, 1.0, 0.0);
+    while rest > 0 {
+        share /= base as f64;
+        sum += share * (rest % base) as f64;
+        rest /= base;
+    }
+    sum
+}
+
+fn check_columns(columns: &[DataColumn], lines: &[usize]) -> Result<(), RegressionError> {
+    if lines.is_empty() {
+        return Err(RegressionError::NoRows);
+    }
+    for (i, column) in columns.iter().enumerate() {
+        let name = column.given.name();
+        if columns[..i].iter().any(|other| other.given == column.given) {
+            return Err(RegressionError::SameColumn(name));
+        }
+        let lengths =
+            [column.values.len(), if let Role::Measured(errors) = &column.role { errors.len() } else { lines.len() }];
+        if let Some(found) = lengths.into_iter().find(|found| *found != lines.len()) {
+            return Err(RegressionError::Length { name, found, expected: lines.len() });
+        }
+        if let Role::Measured(errors) = &column.role {
+            let bad = |i: &usize| column.values[*i].is_finite() && !(errors[*i] > 0.0 && errors[*i] < f64::INFINITY);
+            if let Some(i) = (0..lines.len()).find(bad) {
+                return Err(RegressionError::Uncertainty { line: lines[i], name, value: errors[i] });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The model with every number in the form in which it is asked for.
+fn check_asked(model: Model, asked: &[Parameter], columns: &[DataColumn]) -> Result<Model, RegressionError> {
+    if asked.is_empty() {
+        return Err(RegressionError::NothingAsked);
+    }
+    let twisted = columns.iter().any(|column| matches!(column.given, Given::Twist(_)));
+    for (i, parameter) in asked.iter().enumerate() {
+        if let Some(other) = asked[..i].iter().find(|other| other.slot() == parameter.slot()) {
+            return Err(RegressionError::Twice { first: other.name(), second: parameter.name() });
+        }
+        if parameter.slot() == Slot::Twist && twisted {
+            return Err(RegressionError::Column(parameter.name()));
+        }
+    }
+    for needed in [Parameter::StiffnessRatio, Parameter::Pretwist] {
+        let by_column = needed == Parameter::Pretwist && twisted;
+        if !model.gives(needed) && !by_column {
+            let name = asked.iter().find(|parameter| parameter.slot() == needed.slot()).unwrap_or(&needed).name();
+            return Err(RegressionError::Missing(name));
+        }
+    }
+    asked.iter().try_fold(model, |model, parameter| {
+        if !model.gives(*parameter) {
+            return Err(RegressionError::Missing(parameter.name()));
+        }
+        model.in_form(*parameter).ok_or(RegressionError::Form(parameter.name()))
+    })
+}
+
+/// Whether the measured columns have errors.
+fn check_roles(columns: &[DataColumn]) -> Result<bool, RegressionError> {
+    let names = |wanted: fn(&Role) -> bool| {
+        columns.iter().filter(move |column| wanted(&column.role)).map(|column| column.given.name())
+    };
+    let mut without = names(|role| *role == Role::Unweighted);
+    let mut with = names(|role| matches!(role, Role::Measured(_)));
+    match (without.next(), with.next()) {
+        (None, None) => {
+            let shape = columns.iter().rev().map(|column| column.given.name()).next().unwrap_or("helical_angle");
+            Err(RegressionError::NothingMeasured(shape))
+        }
+        (Some(without), Some(with)) => Err(RegressionError::HalfWeighed { without, with }),
+        (Some(first), None) => match without.next() {
+            Some(second) => Err(RegressionError::Unweighed { first, second }),
+            None => Ok(false),
+        },
+        (None, Some(_)) => Ok(true),
+    }
+}
+
+/// Where errors are not known: a thousandth of the greatest number, so that sums are of a sensible size.
+fn unweighted_unit(column: &DataColumn) -> f64 {
+    let greatest =
+        column.values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+    if greatest > 0.0 { 1e-3 * greatest } else { 1.0 }
+}
+
+fn rows(
+    model: &Model,
+    columns: &[DataColumn],
+    lines: &[usize],
+    absent: &[Observable],
+) -> Result<Vec<Row>, RegressionError> {
+    let mut rows = Vec::with_capacity(lines.len());
+    let units: Vec<f64> = columns.iter().map(unweighted_unit).collect();
+    for (i, &line) in lines.iter().enumerate() {
+        let mut row =
+            Row { line, held: absent.iter().map(|load| (*load, 0.0)).collect(), measured: Vec::new(), twist: None };
+        for (at, column) in columns.iter().enumerate() {
+            let value = column.values[i];
+            if !value.is_finite() {
+                continue;
+            }
+            match (column.given, &column.role) {
+                (Given::Twist(form), _) => row.twist = Some((form, value)),
+                (Given::State(observable), Role::Held) => row.held.push((observable, value)),
+                (Given::State(observable), Role::Measured(errors)) => {
+                    row.measured.push(Datum { column: at, observable, value, error: errors[i] });
+                }
+                (Given::State(observable), Role::Unweighted) => {
+                    row.measured.push(Datum { column: at, observable, value, error: units[at] });
+                }
+            }
+        }
+        let twist_column = columns.iter().any(|column| matches!(column.given, Given::Twist(_)));
+        if row.measured.is_empty() || twist_column && row.twist.is_none() {
+            continue; // a row that says nothing
+        }
+        let shapes = row.held.iter().filter(|(observable, _)| !observable.is_load()).count();
+        let shapes = shapes > 1 && !model.stretches();
+        if row.held.len() > 2 || shapes {
+            let held = row.held.iter().map(|(observable, _)| observable.name()).collect();
+            return Err(RegressionError::Overheld { line, held, shapes });
+        }
+        let found = row.held.len() + row.measured.len();
+        if found < 2 {
+            return Err(RegressionError::Underfixed { line, found });
+        }
+        rows.push(row);
+    }
+    if rows.is_empty() { Err(RegressionError::NoRows) } else { Ok(rows) }
+}

@@ -1,0 +1,541 @@
+//! What `nply fit` says.
+
+use core::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use super::answer::{Estimate, FittedRow};
+use super::columns::Roles;
+use super::written::Written;
+use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
+use crate::plot::Picture;
+use crate::preferred::six_digits;
+use crate::report::{Emphasis, Row, header, lay_out, unit_suffix};
+use crate::spec::Spec;
+use crate::{Dimension, ErrorKind, Place, PreferredUnits, SpecError, Unit};
+
+/// What is asked of measurements.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RegressionQuestion {
+    /// Names of the parameters to be estimated.
+    pub estimate: Vec<String>,
+    /// Columns measured without errors in the data.
+    pub measured: Vec<String>,
+    /// Columns held, though the data give errors with them.
+    pub held: Vec<String>,
+    /// `NAME=ERROR`: one standard error for all rows, in the column's unit, in its own, or in % of each number.
+    pub errors: Vec<String>,
+    /// How many starts are tried; [`Regression::STARTS`] if `None`.
+    pub starts: Option<usize>,
+}
+
+/// Estimates with their errors, residuals, and what the data do not say: as text, JSON, CSV, and pictures.
+///
+/// ```
+/// use nply_sheet::Spec;
+/// use nply_sheet::regression::{Measurements, RegressionQuestion, RegressionReport};
+/// // angles simulated for C/B = 3/4
+/// let data = "pretwist,helical_angle_deg\n-0.2,12.1369\n-0.5,23.2305\n-1,30.6130\n-2,34.5859\n";
+/// let data = Measurements::read("balance.csv", data.as_bytes())?;
+/// let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "1")])?;
+/// let asked = RegressionQuestion { estimate: vec!["stiffness_ratio".to_owned()], ..RegressionQuestion::default() };
+/// let report = RegressionReport::of(&ply, &data, &asked)?;
+/// assert!((report.answer().estimates[0].value - 0.75).abs() < 1e-5);
+/// # Ok::<(), nply_sheet::SpecError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct RegressionReport {
+    title: Option<String>,
+    file: String,
+    regression: Regression,
+    answer: Regressed,
+    sized: bool,
+    scaled: bool,
+    units: PreferredUnits,
+    /// the unit each measured or held column is written in
+    written: Vec<(Observable, Option<Unit>)>,
+    lines: Vec<usize>,
+    assumed: Vec<Observable>,
+}
+
+impl RegressionReport {
+    /// Estimates of a ply's numbers from measurements; the description has their starts.
+    ///
+    /// # Errors
+    /// [`SpecError`] with its place: in the description, in the data, or at the flag.
+    pub fn of(spec: &Spec, data: &Measurements, question: &RegressionQuestion) -> Result<Self, SpecError> {
+        let asked = asked(&question.estimate)?;
+        let written = Written::of(spec, &asked)?;
+        let roles = roles(question)?;
+        let mut columns = data.columns(&roles, written.sized, written.scaled)?;
+        columns.extend(written.loads(spec, &columns, data.lines().len())?);
+        let assumed: Vec<Observable> = [Observable::Force, Observable::Moment]
+            .into_iter()
+            .filter(|load| columns.iter().all(|column| column.given != Given::State(*load)))
+            .collect();
+        let refused = |error: RegressionError| refused(spec, data, &asked, &error);
+        let regression = Regression::with_lines(written.model, &asked, columns, data.lines()).map_err(refused)?;
+        let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
+        let answer = regression.run().map_err(refused)?;
+        let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
+        Ok(Self {
+            title: written.title,
+            file: data.name().to_owned(),
+            answer,
+            sized: written.sized,
+            scaled: written.scaled,
+            units: written.units,
+            written: units.collect(),
+            lines: data.lines().to_vec(),
+            assumed,
+            regression,
+        })
+    }
+
+    /// The numbers.
+    #[must_use]
+    pub const fn answer(&self) -> &Regressed {
+        &self.answer
+    }
+
+    pub(super) const fn columns(&self) -> &Vec<DataColumn> {
+        &self.regression.columns
+    }
+
+    /// Which row of the data stands in a line.
+    pub(super) fn place_of(&self, line: usize) -> Option<usize> {
+        self.lines.binary_search(&line).ok()
+    }
+
+    /// Columns that were measured.
+    pub(super) fn measured(&self) -> Vec<Observable> {
+        self.columns().iter().filter(|column| column.role != Role::Held).filter_map(observable).collect()
+    }
+
+    /// Whether a dimension has a unit here.
+    fn has_unit(&self, dimension: Dimension) -> bool {
+        match dimension {
+            Dimension::NUMBER => false,
+            Dimension::ANGLE => true,
+            Dimension::LENGTH | Dimension::ANGLE_PER_LENGTH => self.sized,
+            _ => self.scaled,
+        }
+    }
+
+    /// The unit in which programs read an observable, with the factor from what is held inside.
+    fn si(&self, observable: Observable) -> (f64, &'static str) {
+        let turns = 1.0 / core::f64::consts::TAU;
+        match observable.dimension() {
+            Dimension::ANGLE if observable == Observable::PlyTurns => (turns, "turns"),
+            Dimension::ANGLE => (1_f64.to_degrees(), "deg"),
+            Dimension::ANGLE_PER_LENGTH => (turns, if self.sized { "turns/m" } else { "" }),
+            dimension => (1.0, if self.has_unit(dimension) { si_name(dimension) } else { "" }),
+        }
+    }
+
+    /// The unit in which a person reads an observable: that of the data.
+    pub(super) fn reading(&self, observable: Observable) -> (f64, String) {
+        match self.written.iter().find(|(other, _)| *other == observable) {
+            Some((_, Some(unit))) => (unit.of_si(1.0), unit.to_string()),
+            _ => {
+                let (factor, unit) = self.si(observable);
+                (factor, unit.to_owned())
+            }
+        }
+    }
+
+    /// The same of a parameter, for programs.
+    fn si_of(&self, parameter: Parameter) -> (f64, &'static str) {
+        let turns = 1.0 / core::f64::consts::TAU;
+        match parameter.dimension() {
+            Dimension::ANGLE_PER_LENGTH if parameter == Parameter::StrandTwist && !self.sized => (1.0, ""),
+            Dimension::ANGLE_PER_LENGTH => (turns, if self.sized { "turns/m" } else { "" }),
+            dimension => (1.0, if self.has_unit(dimension) { si_name(dimension) } else { "" }),
+        }
+    }
+
+    /// The same for a person.
+    fn reading_of(&self, parameter: Parameter, value: f64) -> (f64, String) {
+        let dimension = parameter.dimension();
+        if !self.has_unit(dimension) {
+            let (factor, unit) = self.si_of(parameter);
+            return (factor, unit.to_owned());
+        }
+        let unit = self.units.unit(dimension, value.abs());
+        (unit.of_si(1.0), unit.to_string())
+    }
+}
+
+fn observable(column: &DataColumn) -> Option<Observable> {
+    match column.given {
+        Given::State(observable) => Some(observable),
+        Given::Twist(_) => None,
+    }
+}
+
+fn si_name(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::FORCE => "N",
+        Dimension::MOMENT => "N m",
+        Dimension::STIFFNESS => "N m^2",
+        Dimension::PRESSURE => "Pa",
+        Dimension::LENGTH => "m",
+        _ => "",
+    }
+}
+
+/// Names of parameters.
+fn asked(names: &[String]) -> Result<Vec<Parameter>, SpecError> {
+    let all = Parameter::ALL.map(Parameter::name);
+    let place = || Place::Flag("estimate".to_owned());
+    if names.is_empty() {
+        let message = format!("nothing is to be estimated: name one or more of {}", all.join(", "));
+        return Err(SpecError::new(ErrorKind::Missing, place(), message));
+    }
+    let named = |name: &String| {
+        Parameter::named(name).ok_or_else(|| {
+            let help = crate::key::nearest(name, all.into_iter()).map(|name| format!("did you mean `{name}`?"));
+            let message = format!("{} cannot be estimated; what can is {}", crate::quoted(name), all.join(", "));
+            SpecError::new(ErrorKind::UnknownKey, place(), message).with_help(help)
+        })
+    };
+    names.iter().map(named).collect()
+}
+
+fn roles(question: &RegressionQuestion) -> Result<Roles, SpecError> {
+    let plain = |names: &[String]| names.iter().map(|name| name.trim().replace('-', "_")).collect();
+    let apart = |text: &String| {
+        let wrong = || {
+            let message = format!(
+                "{} is no error; what is wanted is a column and its error, such as lay_length=0.1mm",
+                crate::quoted(text)
+            );
+            SpecError::new(ErrorKind::Syntax, Place::Flag("error".to_owned()), message)
+        };
+        let (name, error) = text.split_once('=').ok_or_else(wrong)?;
+        Ok((name.trim().replace('-', "_"), error.trim().to_owned()))
+    };
+    Ok(Roles {
+        measured: plain(&question.measured),
+        held: plain(&question.held),
+        errors: question.errors.iter().map(apart).collect::<Result<_, SpecError>>()?,
+    })
+}
+
+/// The refusal at its place.
+fn refused(spec: &Spec, data: &Measurements, asked: &[Parameter], error: &RegressionError) -> SpecError {
+    let kind = if error.exit_code() == 1 { ErrorKind::Domain } else { ErrorKind::Contradiction };
+    let message = error.to_string();
+    let flag = |name: &str| Place::Flag(name.to_owned());
+    match error {
+        RegressionError::Twice { .. }
+        | RegressionError::Column(_)
+        | RegressionError::Form(_)
+        | RegressionError::TooFew { .. } => SpecError::new(kind, flag("estimate"), message),
+        RegressionError::Missing(name) => {
+            let datum = asked.iter().find(|parameter| parameter.name() == *name);
+            let key = match datum {
+                Some(Parameter::TurnsPerLength) => crate::Datum::TurnsPerLength,
+                Some(Parameter::StrandTwist) => crate::Datum::StrandTwist,
+                _ => crate::Datum::Pretwist,
+            };
+            spec.missing(key, message)
+        }
+        RegressionError::NoLength(_) => spec.missing(crate::Datum::StrandLength, message),
+        _ => data.refuse(error.line(), kind, message),
+    }
+}
+
+/// Rows shown in a terminal; more are for a file.
+const SHOWN: usize = 30;
+
+impl RegressionReport {
+    /// As aligned tables, with bold headings and coloured dots if `emphasis`.
+    #[must_use]
+    pub fn text(&self, emphasis: bool) -> String {
+        let marks = &Emphasis(emphasis);
+        let mut out = String::new();
+        let title = self
+            .title
+            .as_ref()
+            .map_or_else(String::new, |title| format!("{}: ", title.replace(|c: char| c.is_control(), " ")));
+        let model = &self.regression.model;
+        let stretch = if model.stretches() { " that stretch" } else { "" };
+        let headline = format!(
+            "{title}{} strands{stretch}, {} balance, fitted to {} rows of {}",
+            model.strands(),
+            model.balance().name(),
+            self.answer.rows.len(),
+            self.file.replace(|c: char| c.is_control(), " ")
+        );
+        let _ = writeln!(out, "{}", marks.heading(&headline));
+        let _ = writeln!(out, "{}", self.roles());
+        // each table as wide as it needs
+        for table in self.tables() {
+            lay_out(&mut out, &[table], marks);
+        }
+        if self.answer.rows.len() > SHOWN {
+            let _ = writeln!(out, "  … {} rows more, all with --output FILE", self.answer.rows.len() - SHOWN);
+        }
+        let _ = writeln!(out, "\n{}", self.chi());
+        for chart in self.residual_charts() {
+            let drawn = chart.text(72, 12);
+            let _ = write!(out, "\n{}", if emphasis { drawn } else { plain(&drawn) });
+        }
+        for note in &self.answer.notes {
+            let _ = writeln!(out, "\n{note}");
+        }
+        out
+    }
+
+    /// What is held and what is measured.
+    fn roles(&self) -> String {
+        let of = |held: bool| {
+            let columns = self.columns().iter().filter(|column| (column.role == Role::Held) == held);
+            columns.map(|column| column.given.name().to_owned()).collect::<Vec<_>>()
+        };
+        let mut held = of(true);
+        held.extend(self.assumed.iter().map(|load| format!("{} 0 (not given)", load.name())));
+        format!(
+            "held: {}; measured: {}",
+            if held.is_empty() { "nothing".to_owned() } else { held.join(", ") },
+            of(false).join(", ")
+        )
+    }
+
+    fn chi(&self) -> String {
+        let answer = &self.answer;
+        let freedom = match answer.degrees_of_freedom {
+            1 => "1 degree of freedom".to_owned(),
+            many => format!("{many} degrees of freedom"),
+        };
+        if !answer.weighed {
+            return format!("{freedom}; errors of the measurements from the residuals");
+        }
+        let chance = answer.probability.map_or_else(String::new, |chance| {
+            format!(
+                "; chance alone gives a greater one in {} of 100 cases",
+                six_digits(libm::round(1000.0 * chance) / 10.0)
+            )
+        });
+        format!("χ² = {}, {freedom}{chance}", six_digits(answer.chi_squared))
+    }
+
+    fn tables(&self) -> Vec<(&'static str, Vec<Row>)> {
+        let row =
+            |label: &str, unit: &str, cells: Vec<String>| Row { label: label.to_owned(), unit: unit.to_owned(), cells };
+        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+        let dash = || "–".to_owned();
+        let mut estimates = vec![row("", "", words(&["value", "standard error", "start"]))];
+        for Estimate { parameter, value, standard_error, start } in &self.answer.estimates {
+            let (factor, unit) = self.reading_of(*parameter, *value);
+            let digits = |value: f64| six_digits(value * factor);
+            let error = standard_error.map_or_else(dash, |error| {
+                format!("{} ({})", three_digits(error * factor), percent(error / value.abs()))
+            });
+            estimates.push(row(parameter.name(), &unit, vec![digits(*value), error, digits(*start)]));
+        }
+        let mut tables = vec![("Estimates", estimates)];
+        if self.answer.estimates.len() > 1 {
+            let names: Vec<&str> = self.answer.estimates.iter().map(|estimate| estimate.parameter.name()).collect();
+            let mut rows = vec![row("", "", words(&names))];
+            for (name, correlations) in names.iter().zip(&self.answer.correlation) {
+                let cells = correlations.iter().map(|r| r.map_or_else(dash, |r| format!("{r:.3}")));
+                rows.push(row(name, "", cells.collect()));
+            }
+            tables.push(("Correlation of the estimates", rows));
+        }
+        tables.push(("Residuals", self.residual_table()));
+        tables
+    }
+
+    fn residual_table(&self) -> Vec<Row> {
+        let measured = self.measured();
+        let readings: Vec<(f64, String)> = measured.iter().map(|observable| self.reading(*observable)).collect();
+        let mut heads = vec!["hand".to_owned(), "angle".to_owned()];
+        let mut units = vec![String::new(), "deg".to_owned()];
+        for (observable, (_, unit)) in measured.iter().zip(&readings) {
+            heads.extend([
+                observable.name().to_owned(),
+                "fitted".to_owned(),
+                "residual".to_owned(),
+                "in errors".to_owned(),
+            ]);
+            units.extend([unit.clone(), unit.clone(), unit.clone(), String::new()]);
+        }
+        let mut rows = vec![
+            Row { label: "line".to_owned(), unit: String::new(), cells: heads },
+            Row { label: String::new(), unit: String::new(), cells: units },
+        ];
+        for fitted in self.answer.rows.iter().take(SHOWN) {
+            let hand = if fitted.handedness == nply::Handedness::Right { "Z" } else { "S" };
+            let mut cells = vec![hand.to_owned(), format!("{:.3}", fitted.helical_angle.to_degrees())];
+            for (observable, (factor, _)) in measured.iter().zip(&readings) {
+                match fitted.compared.iter().find(|compared| compared.observable == *observable) {
+                    Some(compared) => cells.extend([
+                        six_digits(compared.measured * factor),
+                        six_digits(compared.fitted * factor),
+                        three_digits(compared.residual() * factor),
+                        compared.standardised().map_or_else(|| "–".to_owned(), |share| format!("{share:.2}")),
+                    ]),
+                    None => cells.extend(["–", "–", "–", "–"].map(str::to_owned)),
+                }
+            }
+            let parted = if fitted.interstrand_pressure < 0.0 { " (separated)" } else { "" };
+            rows.push(Row { label: format!("{}{parted}", fitted.line), unit: String::new(), cells });
+        }
+        rows
+    }
+
+    /// Measured beside fitted, and residuals, above each other for every measured column.
+    #[must_use]
+    pub fn picture(&self) -> Picture {
+        let pairs = self.data_charts().into_iter().zip(self.residual_charts());
+        Picture::grid(pairs.flat_map(|(data, residuals)| [data, residuals]), 2)
+    }
+
+    /// One row of the data a row, for programs; units stand in the names.
+    ///
+    /// ```
+    /// # use nply_sheet::Spec;
+    /// # use nply_sheet::regression::{Measurements, RegressionQuestion, RegressionReport};
+    /// # let data = Measurements::read("a.csv", b"pretwist,helical_angle_deg\n-0.2,12.1369\n-0.5,23.2305\n")?;
+    /// # let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "1")])?;
+    /// # let asked = RegressionQuestion { estimate: vec!["stiffness_ratio".to_owned()], ..RegressionQuestion::default() };
+    /// let csv = RegressionReport::of(&ply, &data, &asked)?.csv();
+    /// assert!(csv.starts_with("line,handedness,helical_angle_deg,force,moment,interstrand_pressure,separated,states,measured_helical_angle_deg,"));
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let suffixed = |name: &str, unit: &str| {
+            if unit.is_empty() { name.to_owned() } else { format!("{name}_{}", unit_suffix(unit)) }
+        };
+        let measured = self.measured();
+        let [force, moment] =
+            [Observable::Force, Observable::Moment].map(|load| suffixed(load.name(), self.si(load).1));
+        let mut names: Vec<String> =
+            ["line", "handedness", "helical_angle_deg", &force, &moment, "interstrand_pressure", "separated", "states"]
+                .map(str::to_owned)
+                .to_vec();
+        for observable in &measured {
+            let unit = self.si(*observable).1;
+            for what in ["measured", "fitted", "residual", "error"] {
+                names.push(suffixed(&format!("{what}_{}", observable.name()), unit));
+            }
+            names.push(format!("standardised_{}", observable.name()));
+        }
+        let mut out = names.join(",") + "\n";
+        for fitted in &self.answer.rows {
+            let mut cells = vec![
+                fitted.line.to_string(),
+                format!("{}", fitted.handedness.sign()),
+                format!("{:?}", fitted.helical_angle.to_degrees()),
+                format!("{:?}", fitted.force),
+                format!("{:?}", fitted.moment),
+                format!("{:?}", fitted.interstrand_pressure),
+                (fitted.interstrand_pressure < 0.0).to_string(),
+                fitted.states.to_string(),
+            ];
+            for observable in &measured {
+                let factor = self.si(*observable).0;
+                let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
+                let compared = fitted.compared.iter().find(|compared| compared.observable == *observable);
+                cells.push(number(compared.map(|c| c.measured * factor)));
+                cells.push(number(compared.map(|c| c.fitted * factor)));
+                cells.push(number(compared.map(|c| c.residual() * factor)));
+                cells.push(number(compared.and_then(|c| Some(c.error? * factor))));
+                cells.push(number(compared.and_then(|c| c.standardised())));
+            }
+            out += &(cells.join(",") + "\n");
+        }
+        out
+    }
+
+    /// As JSON: numbers in the units that stand beside them; what is not determined is null.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let answer = &self.answer;
+        let mut top = header();
+        if let Some(title) = &self.title {
+            top.insert("title".into(), json!(title));
+        }
+        top.insert("strands".into(), json!(self.regression.model.strands()));
+        top.insert("balance".into(), json!(self.regression.model.balance().name()));
+        let names = |held: bool| -> Vec<&str> {
+            let columns = self.columns().iter().filter(|column| (column.role == Role::Held) == held);
+            columns.map(|column| column.given.name()).collect()
+        };
+        top.insert("held".into(), json!(names(true)));
+        top.insert("taken_as_zero".into(), json!(self.assumed.iter().map(|load| load.name()).collect::<Vec<_>>()));
+        top.insert("measured".into(), json!(names(false)));
+        let estimate = |estimate: &Estimate| {
+            let (factor, unit) = self.si_of(estimate.parameter);
+            json!({
+                "name": estimate.parameter.name(),
+                "unit": unit,
+                "value": estimate.value * factor,
+                "standard_error": estimate.standard_error.map(|error| error * factor),
+                "start": estimate.start * factor,
+            })
+        };
+        top.insert("estimates".into(), answer.estimates.iter().map(estimate).collect());
+        top.insert("correlation".into(), json!(answer.correlation));
+        top.insert("chi_squared".into(), json!(answer.weighed.then_some(answer.chi_squared)));
+        top.insert("degrees_of_freedom".into(), json!(answer.degrees_of_freedom));
+        top.insert("probability".into(), json!(answer.probability));
+        top.insert("errors_given".into(), json!(answer.weighed));
+        let mut units = Map::new();
+        for observable in [Observable::Force, Observable::Moment].into_iter().chain(self.measured()) {
+            units.insert(observable.name().into(), json!(self.si(observable).1));
+        }
+        top.insert("units".into(), Value::Object(units));
+        top.insert("rows".into(), answer.rows.iter().map(|row| self.row(row)).collect());
+        top.insert("notes".into(), json!(answer.notes));
+        format!("{:#}\n", Value::Object(top))
+    }
+
+    fn row(&self, fitted: &FittedRow) -> Value {
+        let compared = fitted.compared.iter().map(|compared| {
+            let factor = self.si(compared.observable).0;
+            json!({
+                "name": compared.observable.name(),
+                "measured": compared.measured * factor,
+                "fitted": compared.fitted * factor,
+                "residual": compared.residual() * factor,
+                "error": compared.error.map(|error| error * factor),
+                "standardised": compared.standardised(),
+            })
+        });
+        json!({
+            "line": fitted.line,
+            "handedness": fitted.handedness.sign() as i8,
+            "helical_angle_deg": fitted.helical_angle.to_degrees(),
+            "force": fitted.force,
+            "moment": fitted.moment,
+            "interstrand_pressure": fitted.interstrand_pressure,
+            "separated": fitted.interstrand_pressure < 0.0,
+            "states": fitted.states,
+            "next_state_chi_squared": fitted.next_state,
+            "compared": compared.collect::<Vec<_>>(),
+        })
+    }
+}
+
+fn three_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    six_digits(rounded)
+}
+
+fn percent(share: f64) -> String {
+    if share.is_finite() { format!("{} %", three_digits(100.0 * share)) } else { "–".to_owned() }
+}
+
+/// Without colours.
+fn plain(text: &str) -> String {
+    let mut out = String::new();
+    for (i, piece) in text.split('\u{1b}').enumerate() {
+        out += if i == 0 { piece } else { piece.split_once('m').map_or("", |(_, rest)| rest) };
+    }
+    out
+}
