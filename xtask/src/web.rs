@@ -28,16 +28,23 @@ pub(crate) fn build() -> Outcome {
 
 /// Builds the page for the tests to come; whether it stands.
 pub(crate) fn build_for_tests() -> Result<bool, String> {
-    match lacks_node() {
+    let lacks = lacks_node().or_else(|| set_up().err());
+    match lacks {
         Some(lacks) => left_out("the page", &lacks).map(|()| false),
         None => build().map(|()| true),
     }
 }
 
+/// What has to be fetched, each asked for twice: networks fail.
+fn set_up() -> Outcome {
+    target().or_else(|_| target())?;
+    packages().or_else(|_| packages())
+}
+
 /// The page's own tests: its parts in Node, and the whole in a browser, served by the command.
 pub(crate) fn test() -> Outcome {
     step("page: parts", &mut npm(["run", "--silent", "test"]))?;
-    match browser()? {
+    match browser() {
         Ok(browser) => {
             step("command for the page", &mut cargo(["build"]))?;
             let command = built().join("debug").join(format!("nply{}", std::env::consts::EXE_SUFFIX));
@@ -143,16 +150,16 @@ fn fingerprint(folder: &Path) -> io::Result<String> {
     Ok(format!("{:016x}\n", hasher.finish()))
 }
 
-/// A browser for the tests: one that is there, or Debian's; else why there is none. The outer failure is that of an installation.
-fn browser() -> Result<Result<PathBuf, String>, String> {
+/// A browser for the tests: one that is there, or Debian's; else why there is none.
+fn browser() -> Result<PathBuf, String> {
     if let Some(found) = find_browser() {
-        return Ok(Ok(found));
+        return Ok(found);
     }
     let is_root = hear(Command::new("id").arg("-u")).is_some_and(|id| id.trim() == "0");
     let has_apt = answers(Command::new("apt-get").arg("--version"));
     if !is_root || !has_apt {
         let hint = if has_apt { "as root, `apt-get install chromium`" } else { "install Chromium" };
-        return Ok(Err(format!("there is no Chromium: {hint}, or name one in CHROMIUM")));
+        return Err(format!("there is no Chromium: {hint}, or name one in CHROMIUM"));
     }
     let apt = |arguments: &[&str]| {
         let mut command = Command::new("apt-get");
@@ -161,8 +168,13 @@ fn browser() -> Result<Result<PathBuf, String>, String> {
     };
     // a fresh machine knows no packages yet; where its lists cannot be renewed, those it has may do
     let _ = step("list of Debian's packages", &mut apt(&["update", "-qq"]));
-    step("browser", &mut apt(&["install", "-y", "-qq", "--no-install-recommends", "chromium", "fonts-dejavu-core"]))?;
-    Ok(find_browser().ok_or_else(|| "Debian's Chromium was installed and is not found".to_owned()))
+    let install = || {
+        step("browser", &mut apt(&["install", "-y", "-qq", "--no-install-recommends", "chromium", "fonts-dejavu-core"]))
+    };
+    if let Err(why) = install().or_else(|_| install()) {
+        return Err(format!("Debian's Chromium cannot be installed: {why}"));
+    }
+    find_browser().ok_or_else(|| "Debian's Chromium was installed and is not found".to_owned())
 }
 
 fn find_browser() -> Option<PathBuf> {

@@ -8,6 +8,7 @@ mod interrupt;
 mod output;
 #[cfg(feature = "explore")]
 mod server;
+mod part;
 mod verb;
 
 use std::process::ExitCode;

@@ -21,6 +21,7 @@ mod solve;
 mod spin;
 mod stiffness;
 mod support;
+mod sweep;
 mod trace;
 mod writhe;
 
@@ -48,6 +49,7 @@ static VERBS: &[&Verb] = &[
     &support::VERB,
     &trace::VERB,
     &map::VERB,
+    &sweep::VERB,
     &plot::VERB,
     &locus::VERB,
     &contact::VERB,
@@ -79,6 +81,7 @@ Examples:
   nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply sweep examples/studies/yarn-twist.toml --output yarn.parquet
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
   nply clearance wires.csv --diameter \"2 mm\" --unit mm
   nply writhe knot.vtp --json
