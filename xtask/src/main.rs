@@ -1,7 +1,8 @@
 //! The workshop's commands. Standard library only, so that a fresh checkout starts at once.
 //!
-//!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file
+//!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
+//!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
 //!     cargo xtask figures       draws the figures of docs/figures anew
@@ -15,10 +16,11 @@ mod soak;
 mod step;
 mod test;
 mod venv;
+mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|bench|python|figures|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -26,6 +28,7 @@ fn main() -> ExitCode {
         ["test"] => test::run(),
         ["soak"] => soak::run("10"),
         ["soak", rounds] => soak::run(rounds),
+        ["web"] => web::build(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
         ["authorities"] => authorities::run(),

@@ -45,6 +45,12 @@ pub(crate) fn answers(command: &mut Command) -> bool {
     command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
+/// What a command says, where it succeeds.
+pub(crate) fn hear(command: &mut Command) -> Option<String> {
+    let output = command.stderr(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
 fn timed(name: &str, work: impl FnOnce() -> Outcome) -> Outcome {
     println!("\n== {name}");
     let start = Instant::now();

@@ -2,6 +2,7 @@
 
 use crate::python;
 use crate::step::{Outcome, answers, cargo, run as step, run_and_hear};
+use crate::web;
 
 /// The main job, as the README opens with it.
 const MAIN_JOB: [&str; 5] = ["run", "--release", "--", "solve", "examples/three-ply-yarn.toml"];
@@ -10,8 +11,13 @@ pub(crate) fn run() -> Outcome {
     components()?;
     step("format", &mut cargo(["fmt", "--all", "--check"]))?;
     step("lints", &mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
+    // first the page, so that what is tested has it in it
+    let page_stands = web::build_for_tests()?;
     step("tests", &mut cargo(["test", "--workspace"]))?;
     step("documentation", cargo(["doc", "--workspace", "--lib", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))?;
+    if page_stands {
+        web::test()?;
+    }
     step("release build", &mut cargo(["build", "--release"]))?;
     run_and_hear("main job", &mut cargo(MAIN_JOB))?;
     python::run()?;

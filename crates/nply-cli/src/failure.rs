@@ -22,6 +22,10 @@ pub(crate) enum Failure {
     ClosedPipe,
     /// Ctrl-C.
     Interrupted,
+    /// Ctrl-C, and something is kept: the sentence.
+    Stopped(String),
+    /// A table that should be read is none.
+    Table(String),
 }
 
 /// The premise is broken.
@@ -42,6 +46,8 @@ impl Failure {
             Self::Premise(why) => (format!("error: {why}"), PREMISE),
             Self::File { what, error } => (format!("error: {what}: {error}"), FILE),
             Self::ClosedPipe => return ExitCode::SUCCESS,
+            Self::Stopped(what) => (format!("interrupted: {what}"), INTERRUPTED),
+            Self::Table(why) => (format!("error: {why}"), USAGE),
             Self::Interrupted => ("interrupted: nothing is kept".to_owned(), INTERRUPTED),
         };
         // where standard error is closed too there is nobody left to tell

@@ -30,6 +30,12 @@ pub(crate) fn listen() {
     let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
 }
 
+/// Does something else at Ctrl-C than to interrupt the work.
+#[cfg(feature = "explore")]
+pub(crate) fn instead(action: impl Fn() + Send + 'static) {
+    let _ = ctrlc::set_handler(action); // as above
+}
+
 /// Whether work may go on.
 pub(crate) fn check() -> Result<(), Failure> {
     if INTERRUPTED.load(Ordering::Relaxed) { Err(Failure::Interrupted) } else { Ok(()) }

@@ -198,7 +198,7 @@ impl Drop for Draft {
 }
 
 /// A file's name for a message, without what would steer a terminal.
-fn shown(path: &Path) -> String {
+pub(crate) fn shown(path: &Path) -> String {
     path.display().to_string().replace(|c: char| c.is_control(), "?")
 }
 

@@ -32,7 +32,9 @@ fn the_readme_shows_real_commands() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme");
     std::fs::create_dir_all(&folder).unwrap();
     let mut count = 0;
-    for line in readme.lines().filter(|line| line.starts_with("nply ") && !line.contains('"')) {
+    // `nply explore` answers until it is ended: it has tests of its own
+    let is_shown = |line: &&str| line.starts_with("nply ") && !line.contains('"') && !line.starts_with("nply explore");
+    for line in readme.lines().filter(is_shown) {
         let mut words: Vec<String> = line.split(" #").next().unwrap().split_whitespace().map(str::to_owned).collect();
         // files are made elsewhere
         for i in 1..words.len() {

@@ -35,6 +35,7 @@ presets![
     "conductor-cardinal",
     "rope-6x7",
     "zero-twist-rope",
+    "three-ply-yarn",
     "tyre-cord-840d-2",
     "tyre-cord-1260d-2",
     "tyre-cord-1680d-2",

@@ -401,7 +401,7 @@ fn a_column_is_known_by_its_name_and_unit() {
     let flags = SweepFlags { outputs: vec!["radius_ratio".into()], ..SweepFlags::default() };
     let study = Study::from_spec(&ply, &flags).unwrap();
     let ratio = |column: Column, value: Values| {
-        let (_, answers) = study.solve_given(&[column.clone()], &[value])?;
+        let (_, answers) = study.solve_given(std::slice::from_ref(&column), &[value])?;
         Ok::<f64, nply_sheet::SpecError>(cell(&answers[0], 0).parse().unwrap_or(f64::NAN))
     };
     let number = |value: f64| Values::Dense(vec![value]);

@@ -3,6 +3,8 @@
 mod actuator;
 mod clearance;
 mod contact;
+#[cfg(feature = "explore")]
+mod explore;
 mod figure;
 mod fit;
 mod fit_check;
@@ -19,6 +21,7 @@ mod solve;
 mod spin;
 mod stiffness;
 mod support;
+mod sweep;
 mod trace;
 mod writhe;
 
@@ -46,6 +49,7 @@ static VERBS: &[&Verb] = &[
     &support::VERB,
     &trace::VERB,
     &map::VERB,
+    &sweep::VERB,
     &plot::VERB,
     &locus::VERB,
     &contact::VERB,
@@ -63,6 +67,8 @@ static VERBS: &[&Verb] = &[
     &nodes::VERB,
     &render::VERB,
     &figure::VERB,
+    #[cfg(feature = "explore")]
+    &explore::VERB,
 ];
 
 const EXAMPLES: &str = "\
@@ -75,9 +81,11 @@ Examples:
   nply fit-check examples/strand-7-wire.toml
   nply trace examples/birdcage.toml --to-force \"-20 kN\" --plot path.svg
   nply map rope.toml --to-force \"2 kN\" --to-moment \"3 N m\" --output map.parquet --plot map.svg
+  nply sweep examples/studies/yarn-twist.toml --output yarn.parquet
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
   nply clearance wires.csv --diameter \"2 mm\" --unit mm
   nply writhe knot.vtp --json
+  nply explore --open
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";

@@ -325,7 +325,8 @@ fn undetermined(
             (i, k, power)
         };
         let rounded = round3(power);
-        let raised = |power: f64| if power == 1.0 { String::new() } else { format!("^{}", six_digits(power)) };
+        let raised =
+            |power: f64| if (power - 1.0).abs() < 1e-9 { String::new() } else { format!("^{}", six_digits(power)) };
         let product = if rounded < 0.0 {
             format!("{}/{}{}", name(i), name(k), raised(-rounded))
         } else {

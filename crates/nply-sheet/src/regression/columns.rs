@@ -356,6 +356,14 @@ impl<'t> Reader<'t> {
             for (k, (cell, head)) in row.iter().zip(heads).enumerate() {
                 let Some(head) = head else { continue };
                 let value = self.number(*cell, head, &mut units[k])?;
+                if head.error && value <= 0.0 {
+                    let message = format!(
+                        "an error of {} in {}; one greater than 0 is wanted",
+                        quoted(cell.text),
+                        head.given.name()
+                    );
+                    return Err(self.error(ErrorKind::Domain, *cell, message));
+                }
                 let has_unit = units[k].is_some();
                 bare[k] |= !has_unit && value.is_finite() && value != 0.0;
                 cells[k].push(value);
@@ -398,8 +406,12 @@ impl<'t> Reader<'t> {
             if let Some(new) = &head
                 && let Some(old) = heads.iter().flatten().find(|old| old.given == new.given && old.error == new.error)
             {
-                let what = if new.error { "the errors of " } else { "" };
-                let message = format!("{what}{} stand in two columns", old.given.name());
+                let name = old.given.name();
+                let message = if new.error {
+                    format!("the errors of {name} stand in two columns: keep one")
+                } else {
+                    format!("{name} stands in two columns: keep one")
+                };
                 return Err(self.error(ErrorKind::Contradiction, *word, message));
             }
             heads.push(head);

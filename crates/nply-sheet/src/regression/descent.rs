@@ -36,6 +36,7 @@ struct Walk<'a> {
     /// from where each row's state is continued: those of the best place so far
     anchors: Vec<Spot>,
     settled: Option<Vec<Settled>>,
+    kept: ([f64; SLOTS], Vec<Settled>),
     best: f64,
     count: usize,
 }
@@ -101,16 +102,12 @@ impl Ground<'_> {
             anchors: settled.iter().map(|row| row.spot).collect(),
             best: sum(&settled),
             count: settled.iter().map(|row| row.residuals.len()).sum(),
-            settled: Some(settled),
+            settled: Some(settled.clone()),
+            kept: (slots, settled),
         };
-        let start = (walk.slots, walk.settled.clone());
         let (walk, report) = LevenbergMarquardt::new().with_patience(60).minimize(walk);
-        // what is kept is the best place seen, not the last one tried
-        let ended = walk.settled.filter(|settled| sum(settled) <= walk.best * (1.0 + 1e-12));
-        let (slots, settled) = match (ended, start) {
-            (Some(settled), _) => (walk.slots, settled),
-            (None, (slots, settled)) => (slots, settled.unwrap_or_default()),
-        };
+        // the best place seen, not the last one tried
+        let (slots, settled) = walk.kept;
         let chi_squared = sum(&settled);
         let converged = report.termination.was_successful()
             || matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
@@ -134,6 +131,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Walk<'_> {
         {
             self.best = sum(settled);
             self.anchors = settled.iter().map(|row| row.spot).collect();
+            self.kept = (self.slots, settled.clone());
         }
     }
 

@@ -1,36 +1,36 @@
 //! Measurements beside the fitted states, and what is left of them.
 
 use super::answer::{Compared, FittedRow};
-use super::{Given, Observable, RegressionReport, Role};
+use super::{DataColumn, Given, Observable, RegressionReport, Role};
 use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape};
 
 /// Blue for what is measured, vermilion for what is fitted, black for nothing.
 const COLOURS: [usize; 3] = [0, 1, 6];
 
 impl RegressionReport {
-    /// What stands below: the first held column that differs from row to row, else the line.
-    fn below(&self) -> (Axis, Vec<f64>) {
-        let lines = || self.answer().rows.iter().map(|row| row.line as f64).collect::<Vec<_>>();
-        let differs = |values: &[f64]| {
-            let known: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
-            known.len() == values.len() && known.iter().any(|value| (value - known[0]).abs() > 0.0)
+    /// What stands below a chart of one thing: of loads, twists and what else is held that of most different numbers, else the line.
+    fn below(&self, shown: Observable) -> (Axis, Vec<f64>) {
+        let lines = || (Axis::new("line", ""), self.answer().rows.iter().map(|row| row.line as f64).collect());
+        let places: Option<Vec<usize>> = self.answer().rows.iter().map(|row| self.place_of(row.line)).collect();
+        let Some(places) = places else { return lines() };
+        let different = |column: &&DataColumn| {
+            let mut values: Vec<f64> = places.iter().map(|at| column.values[*at]).collect();
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            if values.iter().all(|value| value.is_finite()) { values.len() } else { 0 }
         };
-        let column = self.columns().iter().find(|column| column.role == Role::Held && differs(&column.values));
-        let Some(column) = column else { return (Axis::new("line", ""), lines()) };
+        let serves = |column: &&DataColumn| match column.given {
+            Given::State(observable) => observable != shown && (observable.is_load() || column.role == Role::Held),
+            Given::Twist(_) => true,
+        };
+        let column = self.columns().iter().filter(serves).max_by_key(different).filter(|column| different(column) > 1);
+        let Some(column) = column else { return lines() };
         let (factor, unit) = match column.given {
             Given::State(observable) => self.reading(observable),
-            Given::Twist(_) => (1.0, String::new()),
+            Given::Twist(parameter) => self.si_reading(parameter),
         };
-        // rows that say nothing are not among the fitted ones
-        let place = |row: &FittedRow| {
-            let at = self.place_of(row.line)?;
-            Some(column.values[at] * factor)
-        };
-        let values: Option<Vec<f64>> = self.answer().rows.iter().map(place).collect();
-        match values {
-            Some(values) => (Axis::new(column.given.name().replace('_', " "), unit), values),
-            None => (Axis::new("line", ""), lines()),
-        }
+        let values = places.iter().map(|at| column.values[*at] * factor).collect();
+        (Axis::new(column.given.name().replace('_', " "), unit), values)
     }
 
     fn compared(row: &FittedRow, observable: Observable) -> Option<&Compared> {
@@ -39,8 +39,8 @@ impl RegressionReport {
 
     /// Measured numbers with their errors, and the fitted ones.
     pub(super) fn data_charts(&self) -> Vec<Chart> {
-        let (axis, places) = self.below();
         let chart = |observable: Observable| {
+            let (axis, places) = self.below(observable);
             let (factor, unit) = self.reading(observable);
             let name = observable.name().replace('_', " ");
             let mut chart = Chart::new("", axis.clone(), Axis::new(name, unit)).with_size(400.0, 260.0);
@@ -62,8 +62,8 @@ impl RegressionReport {
 
     /// Residuals in errors; where errors are not known, in the column's unit.
     pub(super) fn residual_charts(&self) -> Vec<Chart> {
-        let (axis, places) = self.below();
         let chart = |observable: Observable| {
+            let (axis, places) = self.below(observable);
             let (factor, unit) = self.reading(observable);
             let name = format!("residual of {}", observable.name().replace('_', " "));
             let mut dots = Vec::new();

@@ -154,6 +154,12 @@ impl RegressionReport {
         }
     }
 
+    /// The same with a name of its own.
+    pub(super) fn si_reading(&self, parameter: Parameter) -> (f64, String) {
+        let (factor, unit) = self.si_of(parameter);
+        (factor, unit.to_owned())
+    }
+
     /// The same for a person.
     fn reading_of(&self, parameter: Parameter, value: f64) -> (f64, String) {
         let dimension = parameter.dimension();
@@ -242,7 +248,11 @@ fn refused(spec: &Spec, data: &Measurements, asked: &[Parameter], error: &Regres
             spec.missing(key, message)
         }
         RegressionError::NoLength(_) => spec.missing(crate::Datum::StrandLength, message),
-        _ => data.refuse(error.line(), kind, message),
+        _ => {
+            // the place says the line already
+            let line = error.line().map(|line| format!("line {line}: ")).unwrap_or_default();
+            data.refuse(error.line(), kind, message.strip_prefix(&line).unwrap_or(&message).to_owned())
+        }
     }
 }
 
@@ -273,6 +283,9 @@ impl RegressionReport {
         // each table as wide as it needs
         for table in self.tables() {
             lay_out(&mut out, &[table], marks);
+        }
+        for observable in self.measured() {
+            lay_out(&mut out, &[("", self.residual_table(observable))], marks);
         }
         if self.answer.rows.len() > SHOWN {
             let _ = writeln!(out, "  … {} rows more, all with --output FILE", self.answer.rows.len() - SHOWN);
@@ -345,44 +358,35 @@ impl RegressionReport {
             }
             tables.push(("Correlation of the estimates", rows));
         }
-        tables.push(("Residuals", self.residual_table()));
         tables
     }
 
-    fn residual_table(&self) -> Vec<Row> {
-        let measured = self.measured();
-        let readings: Vec<(f64, String)> = measured.iter().map(|observable| self.reading(*observable)).collect();
-        let mut heads = vec!["hand".to_owned(), "angle".to_owned()];
-        let mut units = vec![String::new(), "deg".to_owned()];
-        for (observable, (_, unit)) in measured.iter().zip(&readings) {
-            heads.extend([
-                observable.name().to_owned(),
-                "fitted".to_owned(),
-                "residual".to_owned(),
-                "in errors".to_owned(),
-            ]);
-            units.extend([unit.clone(), unit.clone(), unit.clone(), String::new()]);
-        }
+    fn residual_table(&self, observable: Observable) -> Vec<Row> {
+        let (factor, unit) = self.reading(observable);
+        let cells = |words: [&str; 6]| words.map(str::to_owned).to_vec();
         let mut rows = vec![
-            Row { label: "line".to_owned(), unit: String::new(), cells: heads },
-            Row { label: String::new(), unit: String::new(), cells: units },
+            Row {
+                label: "Residuals, line".to_owned(),
+                unit: String::new(),
+                cells: cells(["hand", "angle", observable.name(), "fitted", "residual", "in errors"]),
+            },
+            Row { label: String::new(), unit: String::new(), cells: cells(["", "deg", &unit, &unit, &unit, ""]) },
         ];
         for fitted in self.answer.rows.iter().take(SHOWN) {
+            let Some(compared) = fitted.compared.iter().find(|compared| compared.observable == observable) else {
+                continue;
+            };
             let hand = if fitted.handedness == nply::Handedness::Right { "Z" } else { "S" };
-            let mut cells = vec![hand.to_owned(), format!("{:.3}", fitted.helical_angle.to_degrees())];
-            for (observable, (factor, _)) in measured.iter().zip(&readings) {
-                match fitted.compared.iter().find(|compared| compared.observable == *observable) {
-                    Some(compared) => cells.extend([
-                        six_digits(compared.measured * factor),
-                        six_digits(compared.fitted * factor),
-                        three_digits(compared.residual() * factor),
-                        compared.standardised().map_or_else(|| "–".to_owned(), |share| format!("{share:.2}")),
-                    ]),
-                    None => cells.extend(["–", "–", "–", "–"].map(str::to_owned)),
-                }
-            }
             let parted = if fitted.interstrand_pressure < 0.0 { " (separated)" } else { "" };
-            rows.push(Row { label: format!("{}{parted}", fitted.line), unit: String::new(), cells });
+            let shown = [
+                hand.to_owned(),
+                format!("{:.3}", fitted.helical_angle.to_degrees()),
+                six_digits(compared.measured * factor),
+                six_digits(compared.fitted * factor),
+                three_digits(compared.residual() * factor),
+                compared.standardised().map_or_else(|| "–".to_owned(), |share| format!("{share:.2}")),
+            ];
+            rows.push(Row { label: format!("{}{parted}", fitted.line), unit: String::new(), cells: shown.to_vec() });
         }
         rows
     }

@@ -3,7 +3,7 @@
 //! A state has two coordinates. Each number of the row that is held takes one away; what is left is moved until the measured numbers,
 //! each counted in its own errors, are as near as they can be. So loads with error bars are as good as shapes with error bars.
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, Vector2, Vector4};
+use nalgebra::DMatrix;
 use nply::Handedness;
 use nply::geometry::HelicalAngle;
 use nply::mechanics::Ply;
@@ -104,7 +104,8 @@ impl Row {
     pub(super) fn settle(&self, model: &Model, charted: &Ply, strand: &Strand, spot: Spot) -> Option<Settled> {
         let mut spot = spot;
         let mut look = self.look(model, charted, strand, &spot)?;
-        let (mut weight, mut damping) = (1.0_f64, 1e-13);
+        let (mut weight, mut damping, mut last) = (1.0_f64, 1e-13, f64::INFINITY);
+        let enough = if self.held.len() == 2 { 1e-9 } else { 1e-12 };
         for _ in 0..MOST_STEPS {
             let (step, pull) = look.step(damping)?;
             weight = weight.max(2.0 * pull);
@@ -125,20 +126,22 @@ impl Row {
                 share *= 0.5;
             }
             let second = 1.0 + spot.place[1].abs();
-            let small = |size: f64| step[0].abs() <= size && step[1].abs() <= size * second;
+            let size = step[0].abs().max(step[1].abs() / second);
             match moved {
                 Some((next, there)) => {
                     spot = next;
                     look = there;
                     damping = (damping * 0.1).max(1e-13);
-                    if small(1e-13) {
+                    // Newton's steps are squared each time; the others shrink as long as rounding lets them
+                    if size < enough || size < 1e-9 && size > 0.5 * last {
                         break;
                     }
                 }
-                None if small(1e-6) => break, // rounding leaves no better
+                None if size < 1e-6 => break, // rounding leaves no better
                 None if damping < 1.0 => damping *= 1e4,
                 None => break,
             }
+            last = size;
         }
         let kept = look.held.iter().all(|(off, _)| off.abs() < 1e-9);
         if !kept { None } else { self.settled(spot, &look) }
@@ -265,7 +268,8 @@ fn places(
         Some(observable.of(&model.readings(charted, strand, &spot)?).value - value)
     };
     let mut found = Vec::new();
-    let (mut last, mut nearest): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+    let mut last: Option<(f64, f64)> = None;
+    let mut nearest: Option<(f64, f64)> = None;
     for step in 0..STEPS {
         let degrees = 0.5 + f64::from(step) * 89.0 / f64::from(STEPS - 1);
         let Ok(angle) = HelicalAngle::new(degrees.to_radians()) else { continue };
@@ -290,40 +294,57 @@ fn places(
 impl Look {
     /// Gauss and Newton's step with what is held kept to first order, and how hard that pulls.
     fn step(&self, damping: f64) -> Option<([f64; 2], f64)> {
-        let mut square = Matrix2::zeros();
-        let mut slope = Vector2::zeros();
-        if self.held.len() < 2 {
-            for (at, residual) in self.measured.iter().zip(&self.residuals) {
-                let by = Vector2::from(at.by_place());
-                square += by * by.transpose();
-                slope += *residual * by;
+        let (step, pull) = match &self.held[..] {
+            [(off, g), (other, h)] => {
+                let (g, h) = (g.by_place(), h.by_place());
+                let determinant = g[0] * h[1] - g[1] * h[0];
+                ([(g[1] * other - h[1] * off) / determinant, (h[0] * off - g[0] * other) / determinant], 0.0)
             }
-        } else {
-            square = Matrix2::identity();
-        }
-        // coordinates of different sizes are damped each by its own
-        for i in 0..2 {
-            let other = square[(1 - i, 1 - i)];
-            square[(i, i)] += damping * if square[(i, i)] > 0.0 { square[(i, i)] } else { other.max(1e-300) };
-        }
-        let top = square.diagonal().max();
-        let scale = if top > 0.0 { 1.0 / top } else { 1.0 };
-        let mut all = Matrix4::identity();
-        all.fixed_view_mut::<2, 2>(0, 0).copy_from(&(scale * square));
-        let mut right = Vector4::zeros();
-        right.fixed_rows_mut::<2>(0).copy_from(&(-scale * slope));
-        for (k, (off, held)) in self.held.iter().enumerate() {
-            let by = held.by_place();
+            [(off, h)] => {
+                // to where it is kept, and along that as far as the measured numbers want
+                let (square, slope) = self.squares(damping);
+                let h = h.by_place();
+                let size = h[0] * h[0] + h[1] * h[1];
+                let (to, along) = ([-off * h[0] / size, -off * h[1] / size], [-h[1], h[0]]);
+                let rise = |way: [f64; 2], z: [f64; 2]| {
+                    (0..2).map(|i| way[i] * (slope[i] + square[i][0] * z[0] + square[i][1] * z[1])).sum::<f64>()
+                };
+                let bend = rise(along, along) - rise(along, [0.0; 2]);
+                let share = if bend > 0.0 { -rise(along, to) / bend } else { 0.0 };
+                let step = [to[0] + share * along[0], to[1] + share * along[1]];
+                (step, (rise(h, step) / size).abs())
+            }
+            _ => {
+                let (square, slope) = self.squares(damping);
+                let determinant = square[0][0] * square[1][1] - square[0][1] * square[1][0];
+                let step = [
+                    (square[0][1] * slope[1] - square[1][1] * slope[0]) / determinant,
+                    (square[1][0] * slope[0] - square[0][0] * slope[1]) / determinant,
+                ];
+                (step, 0.0)
+            }
+        };
+        (step.iter().all(|x| x.is_finite()) && pull.is_finite()).then_some((step, pull))
+    }
+
+    /// The squared slopes of what is measured, damped, and the slope of half the sum of squares.
+    fn squares(&self, damping: f64) -> ([[f64; 2]; 2], [f64; 2]) {
+        let (mut square, mut slope) = ([[0.0; 2]; 2], [0.0; 2]);
+        for (at, residual) in self.measured.iter().zip(&self.residuals) {
+            let by = at.by_place();
             for i in 0..2 {
-                all[(2 + k, i)] = by[i];
-                all[(i, 2 + k)] = by[i];
+                slope[i] += residual * by[i];
+                for k in 0..2 {
+                    square[i][k] += by[i] * by[k];
+                }
             }
-            all[(2 + k, 2 + k)] = 0.0;
-            right[2 + k] = -off;
         }
-        let solved = all.full_piv_lu().solve(&right)?;
-        let pull = if self.held.len() == 1 { solved[2].abs() / scale } else { 0.0 };
-        (solved.iter().all(|x| x.is_finite()) && pull.is_finite()).then_some(([solved[0], solved[1]], pull))
+        // coordinates of different sizes are damped each by its own; one that nothing depends on stays where it is
+        let own = [square[0][0], square[1][1]];
+        for i in 0..2 {
+            square[i][i] += if own[i] > 0.0 { damping * own[i] } else { own[1 - i].max(1.0) };
+        }
+        (square, slope)
     }
 
     fn merit(&self, weight: f64) -> f64 {
@@ -360,4 +381,95 @@ fn orthonormal(vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
 pub(super) fn stacked(settled: &[Settled], slots: &[usize], sizes: &[f64]) -> DMatrix<f64> {
     let rows: Vec<&[f64; SLOTS]> = settled.iter().flat_map(|row| &row.slopes).collect();
     DMatrix::from_fn(rows.len(), slots.len(), |i, k| rows[i][slots[k]] * sizes[k])
+}
+
+#[cfg(test)]
+mod tests {
+    use nply::mechanics::Balance;
+
+    use super::*;
+
+    fn model(stretches: bool) -> Model {
+        let model = Model::new(3, Balance::Contact)
+            .and_then(|m| m.with(Parameter::Radius, 0.3e-3))
+            .and_then(|m| m.with(Parameter::YoungsModulus, 3e5))
+            .and_then(|m| m.with(Parameter::ShearModulus, 1.1e5))
+            .and_then(|m| m.with(Parameter::TurnsPerLength, -1500.0))
+            .unwrap();
+        let mut model = if stretches { model.with(Parameter::AxialStiffness, 0.2).unwrap() } else { model };
+        model.strand_length = Some(0.2);
+        model.thinning = 0.3;
+        model
+    }
+
+    fn datum((observable, value, error): (Observable, f64, f64)) -> Datum {
+        Datum { column: 0, observable, value, error }
+    }
+
+    /// Slopes of what is left of a row against rows settled anew with a parameter a little different: of every residual where the state is
+    /// fixed by what is held, of the sum of squares (2 Jᵀr) where it moves along.
+    #[test]
+    fn slopes_are_those_of_the_settled_row() {
+        let force = (Observable::Force, 5e-3);
+        let moment = (Observable::Moment, 1e-6);
+        let turns = (Observable::PlyTurnsPerStrandLength, 900.0);
+        let angle = (Observable::HelicalAngle, 0.42, 0.01);
+        let lay = (Observable::LayLength, 5e-3, 1e-4);
+        let length = (Observable::PlyLength, 0.181, 1e-3);
+        let measured_force = (Observable::Force, 4e-3, 5e-4);
+        let measured_moment = (Observable::Moment, 0.8e-6, 2e-7);
+        type Numbers = Vec<(Observable, f64)>;
+        type Measured = Vec<(Observable, f64, f64)>;
+        let rows: [(Numbers, Measured); 5] = [
+            (vec![force, moment], vec![angle, lay, length]),
+            (vec![force, turns], vec![measured_moment, lay]),
+            (vec![turns], vec![measured_force, measured_moment, lay]),
+            (vec![force], vec![measured_moment, angle, length]),
+            (vec![], vec![measured_force, measured_moment, angle, length]),
+        ];
+        for stretches in [false, true] {
+            let model = model(stretches);
+            let charted = Ply::new(3, 1.0).unwrap();
+            for (held, measured) in &rows {
+                let row = Row {
+                    line: 1,
+                    held: held.clone(),
+                    measured: measured.iter().copied().map(datum).collect(),
+                    twist: None,
+                };
+                let strand = model.strand(model.slots(), None);
+                let settled = row.candidates(&model, &charted, &strand).into_iter().next().expect("a state");
+                for k in 0..SLOTS {
+                    if k == 4 && !stretches {
+                        continue;
+                    }
+                    let size = if k == 3 { 1500.0 } else { 1.0 };
+                    let h = 1e-5;
+                    let at = |by: f64| {
+                        let mut slots = *model.slots();
+                        slots[k] += by * size;
+                        row.settle(&model, &charted, &model.strand(&slots, None), settled.spot).expect("a state")
+                    };
+                    let (up, down) = (at(h), at(-h));
+                    let near = |slope: f64, difference: f64| {
+                        let difference = difference / (2.0 * h * size);
+                        let scale = (1.0 / size).max(slope.abs());
+                        assert!(
+                            (slope - difference).abs() < 2e-5 * scale,
+                            "{stretches} {held:?} {k}: {slope} {difference}"
+                        );
+                    };
+                    if held.len() == 2 {
+                        for (i, slopes) in settled.slopes.iter().enumerate() {
+                            near(slopes[k], up.residuals[i] - down.residuals[i]);
+                        }
+                    } else {
+                        let slope =
+                            settled.residuals.iter().zip(&settled.slopes).map(|(r, slopes)| 2.0 * r * slopes[k]).sum();
+                        near(slope, up.chi_squared() - down.chi_squared());
+                    }
+                }
+            }
+        }
+    }
 }

@@ -115,10 +115,12 @@ fn needed(spec: &Spec, asked: &[Parameter], ply: &EstimatedPly) -> Result<(), Sp
                 | Parameter::ShearModulus
                 | Parameter::AxialStiffness
         );
-        let start =
-            format!("from which {} can be estimated: give {{}}, roughly where it is to be estimated", parameter.name());
         let missing = |datum, what: &str| {
-            let message = format!("{what} is missing, {}", start.replace("{}", &spec.ask_for(datum)));
+            let message = format!(
+                "{} is to be estimated, and {what} is missing: give {}, roughly where that is to be estimated too",
+                parameter.name(),
+                spec.ask_for(datum)
+            );
             Err(spec.missing(datum, message))
         };
         if (size || stiffness) && ply.radius.is_none() && *parameter != Parameter::StrandTwist {

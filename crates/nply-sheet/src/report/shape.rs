@@ -37,8 +37,11 @@ enum Geometry {
 /// A reported length, angle or ratio: name in JSON, words, kind, value.
 type Item = (&'static str, &'static str, Measure, f64);
 
-/// Every number of the contact of neighbours: name, words, kind, dimensionless value.
-pub(super) const CONTACT: &[(&str, &str, Measure, fn(&Contact) -> f64)] = {
+/// Name, words, kind, dimensionless value.
+pub(super) type ContactItem = (&'static str, &'static str, Measure, fn(&Contact) -> f64);
+
+/// Every number of the contact of neighbours.
+pub(super) const CONTACT: &[ContactItem] = {
     use Measure::{Degrees, Length, Number, PerLength, TurnsPerLength};
     &[
         ("helical_angle_deg", "helical angle (lay angle)", Degrees, |c| c.angle().degrees()),

@@ -2,6 +2,7 @@
 
 pub(crate) mod file;
 mod hand;
+mod written;
 
 use nply::Handedness;
 use nply::mechanics::Balance;
@@ -146,6 +147,18 @@ impl Spec {
             spec.entries.push(entry);
         }
         Ok(spec)
+    }
+
+    /// Whether it says what changes, beside what there is: `[[path]]` or `[map]`.
+    ///
+    /// ```
+    /// let text = "ply.strands = 3\n[[path]]\nload.force = 1\n";
+    /// assert!(nply_sheet::Spec::from_toml("ply.toml", text)?.is_study());
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn is_study(&self) -> bool {
+        !self.legs.is_empty() || self.map.is_some()
     }
 
     /// This description with `flags` laid over it: a datum given by a flag takes the place of the same datum, and of any

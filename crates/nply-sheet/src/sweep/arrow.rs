@@ -2,15 +2,11 @@
 
 use std::sync::Arc;
 
-use arrow_array::cast::AsArray;
-use arrow_array::types::{
-    Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
-};
 use arrow_array::{Array, ArrayRef, RecordBatch, UInt64Array};
-use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_schema::{Field, Schema, SchemaRef};
 
 use super::{Study, refused};
-use crate::table::arrow::{batch, field, schema};
+use crate::table::arrow::{batch, field, schema, values};
 use crate::table::{Column, Kind, TableError, Values};
 use crate::{ErrorKind, SpecError};
 
@@ -128,49 +124,4 @@ pub(crate) fn read(rows: &RecordBatch) -> Result<(Vec<Column>, Vec<Values>), Spe
         cells.push(values);
     }
     Ok((columns, cells))
-}
-
-fn values(array: &ArrayRef) -> Option<Values> {
-    macro_rules! floats {
-        ($kind:ty) => {{
-            let array = array.as_primitive::<$kind>();
-            if array.null_count() == 0 {
-                Values::Dense(array.values().iter().map(|value| *value as f64).collect())
-            } else {
-                Values::Float(array.iter().map(|value| value.map(|value| value as f64)).collect())
-            }
-        }};
-    }
-    macro_rules! integers {
-        ($kind:ty) => {
-            Values::Integer(
-                array
-                    .as_primitive::<$kind>()
-                    .iter()
-                    .map(|value| value.and_then(|value| i64::try_from(value).ok()))
-                    .collect(),
-            )
-        };
-    }
-    fn texts<'t>(texts: impl Iterator<Item = Option<&'t str>>) -> Values {
-        Values::Text(texts.map(|text| text.map(str::to_owned)).collect())
-    }
-    Some(match array.data_type() {
-        DataType::Float64 => floats!(Float64Type),
-        DataType::Float32 => floats!(Float32Type),
-        DataType::Int64 => integers!(Int64Type),
-        DataType::Int32 => integers!(Int32Type),
-        DataType::Int16 => integers!(Int16Type),
-        DataType::Int8 => integers!(Int8Type),
-        DataType::UInt64 => integers!(UInt64Type),
-        DataType::UInt32 => integers!(UInt32Type),
-        DataType::UInt16 => integers!(UInt16Type),
-        DataType::UInt8 => integers!(UInt8Type),
-        DataType::Boolean => Values::Boolean(array.as_boolean().iter().collect()),
-        DataType::Utf8 => texts(array.as_string::<i32>().iter()),
-        DataType::LargeUtf8 => texts(array.as_string::<i64>().iter()),
-        DataType::Utf8View => texts(array.as_string_view().iter()),
-        DataType::Null => Values::Nothing(Kind::Text, array.len()),
-        _ => return None,
-    })
 }

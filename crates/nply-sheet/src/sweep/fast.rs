@@ -59,6 +59,10 @@ impl Source {
                     Some(Values::Float(cells)) => cells.get(row).copied().flatten(),
                     Some(Values::Counts(cells)) => cells.get(row).map(|value| *value as f64),
                     Some(Values::Integer(cells)) => cells.get(row).copied().flatten().map(|value| value as f64),
+                    // of a file of text
+                    Some(Values::Text(cells)) => {
+                        cells.get(row).and_then(Option::as_deref).and_then(|text| text.trim().parse().ok())
+                    }
                     _ => None,
                 };
                 let value = value.unwrap_or(f64::NAN);
@@ -87,7 +91,7 @@ fn only(given: &[GivenKey], data: &[Datum]) -> bool {
 fn strands(value: f64) -> Option<u32> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and between 2 and a million")]
     let whole = |value: f64| value as u32;
-    ((2.0..=1e6).contains(&value) && libm::trunc(value) == value).then(|| whole(value))
+    ((2.0..=1e6).contains(&value) && value.fract() == 0.0).then(|| whole(value))
 }
 
 /// Shapes of given lays.

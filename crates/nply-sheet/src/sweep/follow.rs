@@ -55,7 +55,7 @@ impl Study {
         at: usize,
         sink: Option<&mut Sink<'_>>,
     ) -> Option<Place> {
-        let before = before.filter(|_| row % self.run_length() != 0);
+        let before = before.filter(|_| !row.is_multiple_of(self.run_length()));
         let found = match plan.row_states(cells, at) {
             Ok(found) => found,
             Err(reason) => {

@@ -53,7 +53,9 @@ impl GivenKey {
             },
         };
         let unit = match (behind, beside) {
-            (Some(a), Some(b)) if a.dimension() != b.dimension() || a.to_si(1.0) != b.to_si(1.0) => {
+            (Some(a), Some(b))
+                if a.dimension() != b.dimension() || a.to_si(1.0).to_bits() != b.to_si(1.0).to_bits() =>
+            {
                 return refuse(ErrorKind::Contradiction, format!("its name says {a}, and its unit is {b}"));
             }
             (behind, beside) => behind.or(beside),

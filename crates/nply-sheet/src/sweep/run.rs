@@ -38,7 +38,7 @@ impl Run {
             return Err(to.error(ErrorKind::WrongType, format!("`{}` is no number: give a list of words", key.name)));
         }
         let [first, last] = [from, to].map(|entry| number(entry, unit.as_ref()));
-        if log && !(first * last > 0.0) {
+        if log && (first * last).partial_cmp(&0.0) != Some(core::cmp::Ordering::Greater) {
             let message = format!("`{}`: equal ratios need two ends on one side of 0", key.name);
             return Err(to.error(ErrorKind::Domain, message));
         }
@@ -225,7 +225,7 @@ fn numbers(key: &Key, values: impl ExactSizeIterator<Item = f64>) -> Values {
     }
     // a count that is none is left empty here, and refused where it is read
     #[expect(clippy::cast_possible_truncation, reason = "whole, and far below 2⁶³")]
-    let whole = |value: f64| (libm::rint(value) == value && value.abs() < 1e15).then_some(value as i64);
+    let whole = |value: f64| (value.fract() == 0.0 && value.abs() < 1e15).then_some(value as i64);
     let cells: Vec<Option<i64>> = values.map(whole).collect();
     let dense: Option<Vec<i64>> = cells.iter().copied().collect();
     dense.map_or(Values::Integer(cells), Values::Counts)

@@ -201,8 +201,7 @@ pub(super) fn whole_number(text: &str) -> Option<u64> {
     const LARGEST: f64 = 9_007_199_254_740_992.0; // 2⁵³
     let text = text.replace('_', "");
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, from 0 to 2⁵³")]
-    let of_float =
-        |value: f64| ((0.0..=LARGEST).contains(&value) && libm::trunc(value) == value).then_some(value as u64);
+    let of_float = |value: f64| ((0.0..=LARGEST).contains(&value) && value.fract() == 0.0).then_some(value as u64);
     text.parse().ok().or_else(|| of_float(text.parse().ok()?))
 }
 

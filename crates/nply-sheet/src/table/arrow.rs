@@ -1,14 +1,269 @@
 //! Columns as Arrow has them, for doors that hand tables on.
 
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::sync::{Arc, Mutex, PoisonError};
 
+use arrow_array::cast::AsArray;
+use arrow_array::types::{
+    Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
 use arrow_array::{
-    ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, RecordBatchOptions, StringArray, new_null_array,
+    Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, RecordBatchOptions, StringArray,
+    new_null_array,
 };
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 
-use super::{Column, Kind, TableError, Values};
+use arrow_ipc::writer::FileWriter;
+use bytes::Bytes;
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowRowGroupWriterFactory, compute_leaves};
+use parquet::basic::Compression;
+use parquet::column::writer::ColumnCloseResult;
+use parquet::errors::ParquetError;
+use parquet::file::metadata::{
+    FileMetaData, KeyValue, ParquetMetaDataBuilder, ParquetMetaDataReader, ParquetMetaDataWriter, RowGroupMetaData,
+};
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::reader::{ChunkReader, Length};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::SchemaDescriptor;
+
+use super::block::Counted;
+use super::parquet::refused;
+use super::{Column, Kind, Mark, TableError, Values};
+
+/// How rows become blocks.
+#[derive(Clone, Debug)]
+pub(super) struct Encoding {
+    pub(super) schema: SchemaRef,
+    bare: SchemaRef,
+    factory: Arc<ArrowRowGroupWriterFactory>,
+    descriptor: Arc<SchemaDescriptor>,
+}
+
+impl Encoding {
+    pub(super) fn new(columns: &[Column], metadata: &[(String, String)]) -> Result<Self, TableError> {
+        let bare = schema(columns, &[]);
+        let writer = ArrowWriter::try_new(io::sink(), bare.clone(), Some(properties(&[]))).map_err(refused)?;
+        let (writer, factory) = writer.into_serialized_writer().map_err(refused)?;
+        let descriptor = Arc::new(writer.schema_descr().clone());
+        Ok(Self { schema: schema(columns, metadata), bare, factory: Arc::new(factory), descriptor })
+    }
+
+    pub(super) fn batch(&self, chunk: &[Values]) -> Result<RecordBatch, TableError> {
+        batch(&self.schema, chunk)
+    }
+
+    /// Every column of a row group, encoded.
+    pub(super) fn columns(&self, chunk: &[Values]) -> Result<Vec<ArrowColumnChunk>, TableError> {
+        let mut writers = self.factory.create_column_writers(0).map_err(refused)?.into_iter();
+        let mut done = Vec::with_capacity(chunk.len());
+        for (field, values) in self.bare.fields().iter().zip(chunk) {
+            for leaf in compute_leaves(field, &array(values)).map_err(refused)? {
+                let Some(mut writer) = writers.next() else { break };
+                writer.write(&leaf).map_err(refused)?;
+                done.push(writer.close().map_err(refused)?);
+            }
+        }
+        self.as_read(&mut done)?;
+        Ok(done)
+    }
+
+    /// What is known of the columns, as it would be read from a footer: a block that is copied says then what it said when it was new.
+    fn as_read(&self, columns: &mut [ArrowColumnChunk]) -> Result<(), TableError> {
+        let Some(rows) = columns.first().map(|column| column.close().rows_written) else { return Ok(()) };
+        let group = RowGroupMetaData::builder(self.descriptor.clone())
+            .set_num_rows(i64::try_from(rows).unwrap_or(i64::MAX))
+            .set_column_metadata(columns.iter().map(|column| column.close().metadata.clone()).collect())
+            .build()
+            .map_err(refused)?;
+        let footer = ParquetMetaDataReader::decode_metadata(&footer_of(&self.descriptor, group)?).map_err(refused)?;
+        let Some(read) = footer.row_groups().first() else { return Ok(()) };
+        for (column, read) in columns.iter_mut().zip(read.columns()) {
+            column.close_mut().metadata = read.clone();
+        }
+        Ok(())
+    }
+}
+
+/// How Parquet is written: no indexes of pages, so that a row group is all in one place and can be copied as it is.
+fn properties(metadata: &[(String, String)]) -> WriterProperties {
+    let pairs = metadata.iter().map(|(key, value)| KeyValue::new(key.clone(), value.clone())).collect();
+    WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_offset_index_disabled(true)
+        .set_max_row_group_row_count(None)
+        .set_key_value_metadata(Some(pairs))
+        .build()
+}
+
+pub(super) fn parquet<W: Write + Send>(
+    columns: &[Column],
+    metadata: &[(String, String)],
+    write: W,
+) -> Result<SerializedFileWriter<W>, TableError> {
+    let writer = ArrowWriter::try_new(write, schema(columns, &[]), Some(properties(metadata))).map_err(refused)?;
+    writer.into_serialized_writer().map(|(writer, _)| writer).map_err(refused)
+}
+
+pub(super) fn append_row_group<W: Write + Send>(
+    writer: &mut SerializedFileWriter<W>,
+    columns: Vec<ArrowColumnChunk>,
+) -> Result<Mark, TableError> {
+    let mut group = writer.next_row_group().map_err(refused)?;
+    for column in columns {
+        column.append_to_row_group(&mut group).map_err(refused)?;
+    }
+    group.close().map_err(refused)?;
+    mark(writer)
+}
+
+/// The file up to its last row group; the tail is a footer of this row group alone.
+fn mark<W: Write + Send>(writer: &SerializedFileWriter<W>) -> Result<Mark, TableError> {
+    let Some(last) = writer.flushed_row_groups().last() else {
+        return Ok(Mark { bytes: writer.bytes_written() as u64, tail: Vec::new() });
+    };
+    let tail = footer_of(&Arc::new(writer.schema_descr().clone()), last.clone())?;
+    Ok(Mark { bytes: writer.bytes_written() as u64, tail })
+}
+
+/// A footer of one row group, without its length and the format's mark behind.
+fn footer_of(descriptor: &Arc<SchemaDescriptor>, group: RowGroupMetaData) -> Result<Vec<u8>, TableError> {
+    let file = FileMetaData::new(2, group.num_rows(), None, None, Arc::clone(descriptor), None);
+    let footer = ParquetMetaDataBuilder::new(file).add_row_group(group).build();
+    let mut bytes = Vec::new();
+    ParquetMetaDataWriter::new(&mut bytes, &footer).finish().map_err(refused)?;
+    bytes.truncate(bytes.len().saturating_sub(8));
+    Ok(bytes)
+}
+
+/// Row groups as they are.
+pub(super) fn copy_row_groups<W: Write + Send, R: Read + Seek + Send + 'static>(
+    writer: &mut SerializedFileWriter<W>,
+    old: R,
+    marks: &[Mark],
+) -> Result<(), TableError> {
+    let old = Shared::new(old)?;
+    for mark in marks {
+        let footer = ParquetMetaDataReader::decode_metadata(&mark.tail).map_err(refused)?;
+        for from in footer.row_groups() {
+            let mut group = writer.next_row_group().map_err(refused)?;
+            for column in from.columns() {
+                let close = ColumnCloseResult {
+                    bytes_written: column.compressed_size().unsigned_abs(),
+                    rows_written: from.num_rows().unsigned_abs(),
+                    metadata: column.clone(),
+                    bloom_filter: None,
+                    column_index: None,
+                    offset_index: None,
+                };
+                group.append_column(&old, close).map_err(refused)?;
+            }
+            group.close().map_err(refused)?;
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn finish_parquet<W: Write + Send>(writer: SerializedFileWriter<W>) -> Result<W, TableError> {
+    writer.into_inner().map_err(refused) // which ends it
+}
+
+pub(super) fn ipc<W: Write>(encoding: &Encoding, write: W) -> Result<FileWriter<W>, TableError> {
+    FileWriter::try_new(write, &encoding.schema).map_err(not_arrow)
+}
+
+pub(super) fn append_batch<W: Write>(writer: &mut FileWriter<W>, batch: &RecordBatch) -> Result<(), TableError> {
+    writer.write(batch).map_err(not_arrow)
+}
+
+/// Batches, read and written again.
+pub(super) fn copy_batches<W: Write, R: Read + Seek>(
+    writer: &mut FileWriter<Counted<W>>,
+    mut old: R,
+    marks: &[Mark],
+) -> Result<(), TableError> {
+    let Some(last) = marks.last() else { return Ok(()) };
+    // a file is a stream behind some bytes of its own
+    let mut head = [0; 64];
+    old.read_exact(&mut head)?;
+    let begins = if head[8..12] == [0xff; 4] { 8 } else { 64 };
+    old.seek(SeekFrom::Start(begins))?;
+    let stream = io::BufReader::new(old.take(last.bytes.saturating_sub(begins)));
+    let batches = arrow_ipc::reader::StreamReader::try_new(stream, None).map_err(not_arrow)?;
+    for batch in batches.take(marks.len()) {
+        append_batch(writer, &batch.map_err(not_arrow)?)?;
+    }
+    Ok(())
+}
+
+pub(super) fn finish_ipc<W: Write>(mut writer: FileWriter<W>) -> Result<W, TableError> {
+    writer.finish().map_err(not_arrow)?;
+    writer.into_inner().map_err(not_arrow)
+}
+
+fn not_arrow(error: arrow_schema::ArrowError) -> TableError {
+    match error {
+        arrow_schema::ArrowError::IoError(_, error) => TableError::Write(error),
+        other => TableError::Encode(other.into()),
+    }
+}
+
+/// A file that is read in places.
+pub(super) struct Shared<R> {
+    file: Arc<Mutex<R>>,
+    length: u64,
+}
+
+impl<R: Read + Seek> Shared<R> {
+    pub(super) fn new(mut file: R) -> io::Result<Self> {
+        let length = file.seek(SeekFrom::End(0))?;
+        Ok(Self { file: Arc::new(Mutex::new(file)), length })
+    }
+}
+
+/// From one place on.
+pub(super) struct From<R> {
+    file: Arc<Mutex<R>>,
+    at: u64,
+}
+
+impl<R: Read + Seek> Read for From<R> {
+    fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
+        // a reader that panicked has left nothing that the next would rely on
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        file.seek(SeekFrom::Start(self.at))?;
+        let read = file.read(room)?;
+        self.at += read as u64;
+        Ok(read)
+    }
+}
+
+impl<R> Length for Shared<R> {
+    fn len(&self) -> u64 {
+        self.length
+    }
+}
+
+impl<R: Read + Seek + Send> ChunkReader for Shared<R> {
+    type T = io::BufReader<From<R>>;
+
+    fn get_read(&self, start: u64) -> Result<Self::T, ParquetError> {
+        Ok(io::BufReader::with_capacity(1 << 16, From { file: Arc::clone(&self.file), at: start }))
+    }
+
+    fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes, ParquetError> {
+        if start.checked_add(length as u64).is_none_or(|end| end > self.length) {
+            return Err(ParquetError::EOF("the file ends before what it announces".to_owned()));
+        }
+        let mut bytes = vec![0; length];
+        From { file: Arc::clone(&self.file), at: start }.read_exact(&mut bytes)?;
+        Ok(bytes.into())
+    }
+}
 
 /// The schema of a table; units stand in the metadata `unit` of the fields.
 ///
@@ -55,8 +310,15 @@ const fn data_type(kind: Kind) -> DataType {
 
 pub(crate) fn array(values: &Values) -> ArrayRef {
     match values {
-        Values::Float(cells) => Arc::new(cells.iter().copied().collect::<Float64Array>()),
-        Values::Integer(cells) => Arc::new(cells.iter().copied().collect::<Int64Array>()),
+        // where no cell is empty there is no list of empty cells: the same table gives the same bytes
+        Values::Float(cells) => match cells.iter().copied().collect::<Option<Vec<f64>>>() {
+            Some(dense) => Arc::new(Float64Array::from(dense)),
+            None => Arc::new(cells.iter().copied().collect::<Float64Array>()),
+        },
+        Values::Integer(cells) => match cells.iter().copied().collect::<Option<Vec<i64>>>() {
+            Some(dense) => Arc::new(Int64Array::from(dense)),
+            None => Arc::new(cells.iter().copied().collect::<Int64Array>()),
+        },
         Values::Boolean(cells) => Arc::new(cells.iter().copied().collect::<BooleanArray>()),
         Values::Text(cells) => Arc::new(cells.iter().map(Option::as_deref).collect::<StringArray>()),
         Values::Words(cells) => Arc::new(cells.iter().copied().collect::<StringArray>()),
@@ -64,4 +326,87 @@ pub(crate) fn array(values: &Values) -> ArrayRef {
         Values::Counts(cells) => Arc::new(Int64Array::from(cells.clone())),
         Values::Nothing(kind, length) => new_null_array(&data_type(*kind), *length),
     }
+}
+
+/// A Parquet file's columns, the number of its rows, and these in batches.
+pub(super) fn open<R: Read + Seek + Send + 'static>(
+    file: R,
+    chunk: usize,
+    skipped: u64,
+) -> Result<(Vec<Column>, u64, ParquetRecordBatchReader), TableError> {
+    let not_whole = |error: ParquetError| match refused(error) {
+        TableError::Encode(error) => TableError::Unreadable(format!("it is no whole Parquet file ({error})")),
+        other => other,
+    };
+    let builder = ParquetRecordBatchReaderBuilder::try_new(Shared::new(file)?).map_err(not_whole)?;
+    let columns = builder.schema().fields().iter().map(|field| {
+        let unit = field.metadata().get("unit").map(String::as_str).unwrap_or_default();
+        match values(&new_null_array(field.data_type(), 0)) {
+            Some(none) => Ok(Column::new(field.name(), none.kind()).with_unit(unit)),
+            None => Err(TableError::Unreadable(format!(
+                "column {} holds {}, and what can be carried over are numbers, truth values and texts: leave it out",
+                crate::quoted(field.name()),
+                field.data_type()
+            ))),
+        }
+    });
+    let columns = columns.collect::<Result<Vec<Column>, TableError>>()?;
+    let rows = builder.metadata().file_metadata().num_rows().unsigned_abs();
+    let skipped = usize::try_from(skipped).unwrap_or(usize::MAX);
+    let batches = builder.with_batch_size(chunk).with_offset(skipped).build().map_err(not_whole)?;
+    Ok((columns, rows, batches))
+}
+
+/// A batch's cells.
+pub(super) fn cells(batch: &Result<RecordBatch, arrow_schema::ArrowError>) -> Result<Vec<Values>, TableError> {
+    let batch =
+        batch.as_ref().map_err(|error| TableError::Unreadable(format!("it is no whole Parquet file ({error})")))?;
+    let none = |array: &ArrayRef| Values::Nothing(Kind::Text, array.len());
+    Ok(batch.columns().iter().map(|array| values(array).unwrap_or_else(|| none(array))).collect())
+}
+
+/// Numbers, truth values and texts of any width as ours.
+pub(crate) fn values(array: &ArrayRef) -> Option<Values> {
+    macro_rules! floats {
+        ($kind:ty) => {{
+            let array = array.as_primitive::<$kind>();
+            if array.null_count() == 0 {
+                Values::Dense(array.values().iter().map(|value| *value as f64).collect())
+            } else {
+                Values::Float(array.iter().map(|value| value.map(|value| value as f64)).collect())
+            }
+        }};
+    }
+    macro_rules! integers {
+        ($kind:ty) => {
+            Values::Integer(
+                array
+                    .as_primitive::<$kind>()
+                    .iter()
+                    .map(|value| value.and_then(|value| i64::try_from(value).ok()))
+                    .collect(),
+            )
+        };
+    }
+    fn texts<'t>(texts: impl Iterator<Item = Option<&'t str>>) -> Values {
+        Values::Text(texts.map(|text| text.map(str::to_owned)).collect())
+    }
+    Some(match array.data_type() {
+        DataType::Float64 => floats!(Float64Type),
+        DataType::Float32 => floats!(Float32Type),
+        DataType::Int64 => integers!(Int64Type),
+        DataType::Int32 => integers!(Int32Type),
+        DataType::Int16 => integers!(Int16Type),
+        DataType::Int8 => integers!(Int8Type),
+        DataType::UInt64 => integers!(UInt64Type),
+        DataType::UInt32 => integers!(UInt32Type),
+        DataType::UInt16 => integers!(UInt16Type),
+        DataType::UInt8 => integers!(UInt8Type),
+        DataType::Boolean => Values::Boolean(array.as_boolean().iter().collect()),
+        DataType::Utf8 => texts(array.as_string::<i32>().iter()),
+        DataType::LargeUtf8 => texts(array.as_string::<i64>().iter()),
+        DataType::Utf8View => texts(array.as_string_view().iter()),
+        DataType::Null => Values::Nothing(Kind::Text, array.len()),
+        _ => return None,
+    })
 }

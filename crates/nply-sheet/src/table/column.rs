@@ -137,6 +137,52 @@ impl Values {
         }
     }
 
+    /// Puts other cells behind these; of another kind than these, they are left empty.
+    ///
+    /// ```
+    /// use nply_sheet::table::{Kind, Values};
+    /// let mut values = Values::Dense(vec![1.0]);
+    /// values.extend(Values::Nothing(Kind::Float, 1));
+    /// assert_eq!(values, Values::Float(vec![Some(1.0), None]));
+    /// ```
+    pub fn extend(&mut self, other: Self) {
+        match (&mut *self, other) {
+            (Self::Float(cells), Self::Float(more)) => cells.extend(more),
+            (Self::Integer(cells), Self::Integer(more)) => cells.extend(more),
+            (Self::Boolean(cells), Self::Boolean(more)) => cells.extend(more),
+            (Self::Text(cells), Self::Text(more)) => cells.extend(more),
+            (Self::Dense(cells), Self::Dense(more)) => cells.extend(more),
+            (Self::Counts(cells), Self::Counts(more)) => cells.extend(more),
+            (Self::Words(cells), Self::Words(more)) => cells.extend(more),
+            (Self::Nothing(kind, length), Self::Nothing(other, more)) if *kind == other => *length += more,
+            (_, other) => {
+                let own = core::mem::replace(self, Self::Nothing(other.kind(), 0));
+                let kind = own.kind();
+                let mut open = own.open();
+                if other.kind() == kind {
+                    open.extend(other.open());
+                } else {
+                    open.extend(Self::Nothing(kind, other.len()).open());
+                }
+                *self = open;
+            }
+        }
+    }
+
+    /// The same with a place for empty cells.
+    fn open(self) -> Self {
+        match self {
+            Self::Dense(cells) => Self::Float(cells.into_iter().map(Some).collect()),
+            Self::Counts(cells) => Self::Integer(cells.into_iter().map(Some).collect()),
+            Self::Words(cells) => Self::Text(cells.into_iter().map(|word| word.map(str::to_owned)).collect()),
+            Self::Nothing(Kind::Float, length) => Self::Float(vec![None; length]),
+            Self::Nothing(Kind::Integer, length) => Self::Integer(vec![None; length]),
+            Self::Nothing(Kind::Boolean, length) => Self::Boolean(vec![None; length]),
+            Self::Nothing(Kind::Text, length) => Self::Text(vec![None; length]),
+            other => other,
+        }
+    }
+
     /// Whether there is no cell.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -16,6 +16,11 @@ impl<W: Write> Writer<W> {
         Ok(Self { csv })
     }
 
+    /// Rows alone.
+    pub(super) fn headless(write: W) -> Self {
+        Self { csv: csv::Writer::from_writer(write) }
+    }
+
     pub(super) fn write(&mut self, chunk: &[Values]) -> Result<(), TableError> {
         let rows = chunk.first().map_or(0, Values::len);
         let mut cell = String::new();
@@ -33,6 +38,11 @@ impl<W: Write> Writer<W> {
     pub(super) fn finish(self) -> Result<W, TableError> {
         self.csv.into_inner().map_err(|error| error.into_error().into())
     }
+}
+
+/// The line of names.
+pub(super) fn head(columns: &[Column]) -> Result<Vec<u8>, TableError> {
+    Writer::new(columns, Vec::new())?.finish()
 }
 
 /// A cell's text, put behind what is there.

@@ -41,6 +41,9 @@ pub enum TableError {
         /// The length of this one.
         found: usize,
     },
+    /// What should be read as a table is none, or not whole: a sentence without its end.
+    #[error("{0}.")]
+    Unreadable(String),
     /// The place where the table goes took no more.
     #[error("The table could not be written: {0}.")]
     Write(#[from] std::io::Error),

@@ -11,13 +11,17 @@
 
 #[cfg(feature = "parquet")]
 pub mod arrow;
+mod block;
 mod column;
 mod comma;
 mod error;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod reader;
 mod writer;
 
+pub use block::{Block, BlockFile, Encoder, Format, Mark};
 pub use column::{Column, Kind, Values};
 pub use error::TableError;
+pub use reader::TableReader;
 pub use writer::TableWriter;

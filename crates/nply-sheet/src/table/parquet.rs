@@ -45,7 +45,7 @@ impl<W: Write + Send> Writer<W> {
     }
 }
 
-fn refused(error: ParquetError) -> TableError {
+pub(super) fn refused(error: ParquetError) -> TableError {
     match error {
         ParquetError::External(inner) => match inner.downcast::<std::io::Error>() {
             Ok(error) => TableError::Write(*error),

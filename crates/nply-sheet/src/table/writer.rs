@@ -58,7 +58,7 @@ impl<W: Write + Send> TableWriter<W> {
     /// [`TableError`] where number, kinds or lengths of the columns do not fit, and where writing fails; after a failed
     /// write the table is of no use.
     pub fn write_chunk(&mut self, chunk: &[Values]) -> Result<(), TableError> {
-        self.check(chunk)?;
+        check(&self.columns, chunk)?;
         match &mut self.format {
             Format::Csv(writer) => writer.write(chunk),
             #[cfg(feature = "parquet")]
@@ -77,27 +77,28 @@ impl<W: Write + Send> TableWriter<W> {
             Format::Parquet(writer) => writer.finish(),
         }
     }
-
-    fn check(&self, chunk: &[Values]) -> Result<(), TableError> {
-        if chunk.len() != self.columns.len() {
-            return Err(TableError::ColumnCount { expected: self.columns.len(), found: chunk.len() });
-        }
-        let expected = chunk.first().map_or(0, Values::len);
-        for (column, values) in self.columns.iter().zip(chunk) {
-            let name = || quoted(&column.name);
-            if values.kind() != column.kind {
-                let (expected, found) = (column.kind.name(), values.kind().name());
-                return Err(TableError::WrongKind { name: name(), expected, found });
-            }
-            if values.len() != expected {
-                return Err(TableError::Length { name: name(), expected, found: values.len() });
-            }
-        }
-        Ok(())
-    }
 }
 
-fn check_names(columns: &[Column]) -> Result<(), TableError> {
+/// Whether a chunk has the table's columns.
+pub(super) fn check(columns: &[Column], chunk: &[Values]) -> Result<(), TableError> {
+    if chunk.len() != columns.len() {
+        return Err(TableError::ColumnCount { expected: columns.len(), found: chunk.len() });
+    }
+    let expected = chunk.first().map_or(0, Values::len);
+    for (column, values) in columns.iter().zip(chunk) {
+        let name = || quoted(&column.name);
+        if values.kind() != column.kind {
+            let (expected, found) = (column.kind.name(), values.kind().name());
+            return Err(TableError::WrongKind { name: name(), expected, found });
+        }
+        if values.len() != expected {
+            return Err(TableError::Length { name: name(), expected, found: values.len() });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn check_names(columns: &[Column]) -> Result<(), TableError> {
     if columns.is_empty() {
         return Err(TableError::NoColumns);
     }

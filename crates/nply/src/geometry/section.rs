@@ -43,6 +43,32 @@ impl Section {
         }
     }
 
+    /// As [`Section::new`], of strands that lie on a helix radius of their own: on a core, or free.
+    ///
+    /// # Errors
+    /// [`DomainError`] on `strands`, and unless the helix radius (over r) is finite and not negative.
+    ///
+    /// ```
+    /// use nply::Handedness::Left;
+    /// use nply::geometry::{Contact, HelicalAngle, Section};
+    /// let angle = HelicalAngle::new(0.6)?;
+    /// let contact = Contact::at_angle(5, angle)?;
+    /// let laid = Section::on_helix(5, contact.radius_ratio(), angle, Left)?;
+    /// assert_eq!(laid, Section::new(&contact, Left));
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn on_helix(
+        strands: u32,
+        radius_ratio: f64,
+        angle: HelicalAngle,
+        handedness: Handedness,
+    ) -> Result<Self, DomainError> {
+        check_strands(strands)?;
+        let allowed = "finite and not less than 0";
+        DomainError::check((0.0..f64::INFINITY).contains(&radius_ratio), "radius_ratio", radius_ratio, allowed)?;
+        Ok(Self { strands, radius: radius_ratio, sin: angle.sin(), cos: angle.cos(), eps: handedness.sign() })
+    }
+
     /// (11): the arclength of the material section through which the plane at height z₀ meets the surface at angle α.
     #[must_use]
     pub fn arclength(&self, height: f64, alpha: f64) -> f64 {

@@ -33,8 +33,8 @@ pub(crate) fn walk<W: Wide, const R: usize>(
     let mut rests = [w.at_least(zero, w.splat(1.0)); R];
     for _ in 0..MOST_STEPS {
         step(w, c, &mut way, &rests);
-        for r in 0..R {
-            rests[r] = w.at_least(enough_all, way.next[r]);
+        for (rests, next) in rests.iter_mut().zip(way.next) {
+            *rests = w.at_least(enough_all, next);
         }
         let mut open = way.next[0];
         for next in way.next {

@@ -1,0 +1,186 @@
+//! The explorer's page, served from within the command: nothing is read from the disk, no request leaves anything behind.
+
+mod answer;
+mod host;
+mod page;
+
+use std::convert::Infallible;
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+use std::pin::pin;
+use std::sync::Arc;
+use std::time::Duration;
+
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use tokio::net::TcpStream;
+use tokio::sync::{Notify, Semaphore};
+use tokio::time::timeout;
+
+pub(crate) use host::Visitors;
+pub(crate) use page::IS_BUILT;
+
+/// What one client may take, so that none keeps the others waiting.
+#[derive(Clone, Copy)]
+struct Limits {
+    /// connections at a time; more wait until one of these ends
+    connections: usize,
+    /// bytes of a request line with its headers
+    head: usize,
+    /// until those have come
+    head_within: Duration,
+    /// until a connection takes no further request
+    connection_within: Duration,
+    /// and until it is cut, whatever it still reads
+    grace: Duration,
+}
+
+const LIMITS: Limits = Limits {
+    connections: 256,
+    head: 16 << 10,
+    head_within: Duration::from_secs(10),
+    connection_within: Duration::from_secs(60),
+    grace: Duration::from_secs(60),
+};
+
+/// A page that can be asked for, as soon as it is made.
+pub(crate) struct Server {
+    listener: TcpListener,
+    visitors: Visitors,
+    limits: Limits,
+}
+
+/// Ends a server.
+#[derive(Clone, Default)]
+pub(crate) struct Stop(Arc<Notify>);
+
+impl Stop {
+    pub(crate) fn now(&self) {
+        self.0.notify_one();
+    }
+}
+
+impl Server {
+    pub(crate) fn new(address: SocketAddr, visitors: Visitors) -> io::Result<Self> {
+        let listener = TcpListener::bind(address)?;
+        listener.set_nonblocking(true)?;
+        Ok(Self { listener, visitors, limits: LIMITS })
+    }
+
+    /// Where it listens: with the port that was found, where any was wanted.
+    pub(crate) fn address(&self) -> io::Result<SocketAddr> {
+        self.listener.local_addr()
+    }
+
+    /// Answers until it is stopped; what is being answered then is cut.
+    pub(crate) fn run(self, stop: &Stop) -> io::Result<()> {
+        // one thread has enough to do with waiting: all answers lie ready
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
+        let listener = {
+            let _inside = runtime.enter();
+            tokio::net::TcpListener::from_std(self.listener)?
+        };
+        runtime.spawn(accept(listener, self.visitors, self.limits));
+        runtime.block_on(stop.0.notified());
+        Ok(())
+    }
+}
+
+async fn accept(listener: tokio::net::TcpListener, visitors: Visitors, limits: Limits) {
+    const BREATH: Duration = Duration::from_millis(50);
+    let room = Arc::new(Semaphore::new(limits.connections));
+    loop {
+        let Ok(place) = Arc::clone(&room).acquire_owned().await else { return };
+        match listener.accept().await {
+            Ok((stream, _)) => {
+                tokio::spawn(async move {
+                    converse(stream, visitors, limits).await;
+                    drop(place);
+                });
+            }
+            // a client that left already, or no descriptor free: the next one may fare better
+            Err(_) => tokio::time::sleep(BREATH).await,
+        }
+    }
+}
+
+/// One connection. Errors are the client's: a request that is none, a connection that broke.
+async fn converse(stream: TcpStream, visitors: Visitors, limits: Limits) {
+    let service = service_fn(move |request| {
+        let response = answer::answer(&request, visitors);
+        async move { Ok::<_, Infallible>(response) }
+    });
+    let mut connection = pin!(
+        http1::Builder::new()
+            .timer(TokioTimer::new())
+            .header_read_timeout(limits.head_within)
+            .max_header_size(limits.head)
+            .serve_connection(TokioIo::new(stream), service)
+    );
+    if timeout(limits.connection_within, connection.as_mut()).await.is_err() {
+        connection.as_mut().graceful_shutdown();
+        let _ = timeout(limits.grace, connection).await;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Read as _, Write as _};
+    use std::net::{Ipv4Addr, TcpStream};
+    use std::thread;
+
+    use super::*;
+
+    /// A server with other limits, and what it is stopped by.
+    fn serve(limits: Limits) -> (SocketAddr, Stop, thread::JoinHandle<io::Result<()>>) {
+        let mut server = Server::new((Ipv4Addr::LOCALHOST, 0).into(), Visitors::Local).unwrap();
+        server.limits = limits;
+        let (address, stop) = (server.address().unwrap(), Stop::default());
+        let stopped = stop.clone();
+        (address, stop, thread::spawn(move || server.run(&stopped)))
+    }
+
+    /// All that comes until the server closes.
+    fn rest(mut stream: TcpStream) -> Vec<u8> {
+        let mut all = Vec::new();
+        let _ = stream.read_to_end(&mut all); // a connection may be cut hard
+        all
+    }
+
+    #[test]
+    fn who_never_ends_his_request_is_sent_away() {
+        let (address, stop, running) = serve(Limits { head_within: Duration::from_millis(30), ..LIMITS });
+        for begun in ["", "GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: "] {
+            let mut stream = TcpStream::connect(address).unwrap();
+            stream.write_all(begun.as_bytes()).unwrap();
+            assert!(!rest(stream).starts_with(b"HTTP/1.1 200"), "{begun}");
+        }
+        stop.now();
+        running.join().unwrap().unwrap();
+    }
+
+    #[test]
+    fn no_connection_stays_for_ever() {
+        let brief = Duration::from_millis(30);
+        let (address, stop, running) = serve(Limits { connection_within: brief, grace: brief, ..LIMITS });
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
+        assert!(rest(stream).starts_with(b"HTTP/1.1 200"));
+        stop.now();
+        running.join().unwrap().unwrap();
+    }
+
+    #[test]
+    fn who_comes_late_waits_for_a_place() {
+        let (address, stop, running) =
+            serve(Limits { connections: 1, head_within: Duration::from_millis(30), ..LIMITS });
+        let first = TcpStream::connect(address).unwrap();
+        let mut second = TcpStream::connect(address).unwrap();
+        second.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
+        assert!(rest(second).starts_with(b"HTTP/1.1 200"));
+        drop(first);
+        stop.now();
+        running.join().unwrap().unwrap();
+    }
+}

@@ -1,0 +1,154 @@
+//! Numbers of the strands from measurements, through the command.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
+
+mod command;
+
+use std::fs;
+
+use command::{call, call_with, json, near, number, out, root};
+use serde_json::Value;
+
+fn estimate<'r>(report: &'r Value, name: &str) -> &'r Value {
+    report["estimates"].as_array().unwrap().iter().find(|estimate| estimate["name"] == name).unwrap()
+}
+
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = std::env::temp_dir().join(format!("nply-fit-{name}-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Rods simulated in three dimensions give back the C/B they were given.
+#[test]
+fn simulated_rods_give_back_their_stiffness_ratio() {
+    let report = json(&[
+        "fit",
+        "examples/fit/balance.csv",
+        "--strands",
+        "3",
+        "--stiffness-ratio",
+        "1.5",
+        "--estimate",
+        "stiffness_ratio",
+        "--json",
+    ]);
+    let ratio = estimate(&report, "stiffness_ratio");
+    near(number(ratio, "value"), 0.75, 2e-5);
+    assert!((5e-6..2e-5).contains(&number(ratio, "standard_error")));
+    assert_eq!((report["degrees_of_freedom"].as_u64(), &report["errors_given"]), (Some(3), &Value::Bool(true)));
+    assert_eq!(report["taken_as_zero"], serde_json::json!(["force", "moment"]));
+    let rows = report["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    near(number(&rows[2], "helical_angle_deg"), 30.6130, 5e-6);
+}
+
+/// The noisy example: truth within three standard errors, residuals as tables, a picture.
+#[test]
+fn the_example_gives_what_it_was_made_of() {
+    let folder = folder("example");
+    let (table, picture) = (folder.join("residuals.csv"), folder.join("cord.svg"));
+    let arguments = [
+        "fit",
+        "examples/fit/cord-pull.csv",
+        "examples/fit/cord.toml",
+        "--estimate",
+        "bending_stiffness,stiffness_ratio,diameter",
+    ];
+    let more = ["--starts", "2", "--output", table.to_str().unwrap(), "--plot", picture.to_str().unwrap(), "--json"];
+    let report = json(&[&arguments[..], &more[..]].concat());
+    for (name, truth, unit) in
+        [("bending_stiffness", 2e-9, "N m^2"), ("stiffness_ratio", 0.8, ""), ("diameter", 0.6e-3, "m")]
+    {
+        let found = estimate(&report, name);
+        let pull = (number(found, "value") - truth) / number(found, "standard_error");
+        assert!(pull.abs() < 3.0, "{name}: {pull}");
+        assert_eq!(found["unit"], unit);
+    }
+    // three numbers a row, one of them used up by the row's state; three estimates
+    assert_eq!(report["degrees_of_freedom"], 21 * 2 - 3);
+    assert!((0.01..0.99).contains(&number(&report, "probability")));
+    let table = fs::read_to_string(table).unwrap();
+    assert_eq!(table.lines().count(), 22);
+    assert!(table.starts_with(
+        "line,handedness,helical_angle_deg,force_N,moment_N_m,interstrand_pressure,separated,states,measured_force_N,"
+    ));
+    let sum: f64 = report["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|row| row["compared"].as_array().unwrap())
+        .map(|compared| number(compared, "standardised") * number(compared, "standardised"))
+        .sum();
+    near(sum, number(&report, "chi_squared"), 1e-9);
+    assert!(fs::read_to_string(&picture).unwrap().starts_with("<svg "));
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_person_reads_estimates_in_their_own_units() {
+    let said = out(&[
+        "fit",
+        "examples/fit/cord-pull.csv",
+        "examples/fit/cord.toml",
+        "--estimate",
+        "diameter",
+        "--bending-stiffness",
+        "2 mN mm^2",
+        "--stiffness-ratio",
+        "0.8",
+        "--starts",
+        "1",
+    ]);
+    let line = said.lines().find(|line| line.trim_start().starts_with("diameter")).unwrap();
+    assert!(line.contains("mm") && line.contains('%') && line.contains("0.5"), "{line}");
+    assert!(said.contains("held: moment; measured: force, lay_length, ply_turns_per_strand_length"), "{said}");
+    assert!(said.contains("degrees of freedom") && !said.contains('\u{1b}'), "{said}");
+}
+
+#[test]
+fn what_is_wrong_is_said_at_its_place_and_nothing_is_written() {
+    let folder = folder("refused");
+    let csv = folder.join("a.csv");
+    let answer = |text: &str, more: &[&str]| {
+        let arguments = [
+            "fit",
+            "-",
+            "--strands",
+            "3",
+            "--stiffness-ratio",
+            "1",
+            "--pretwist",
+            "-1",
+            "--estimate",
+            "stiffness_ratio",
+        ];
+        call_with(&[&arguments[..], more].concat(), text.as_bytes())
+    };
+    let bad = answer("helical_angle_deg\ntwelve\n", &["--output", csv.to_str().unwrap()]);
+    assert_eq!(bad.code, 2);
+    assert!(bad.err.contains("standard input:2:1") && bad.err.contains("twelve") && !csv.exists(), "{}", bad.err);
+    // a premise that no ply has
+    let none = answer("force,length_ratio\n0.5,0.9\n1,1.2\n", &["--measured", "force"]);
+    assert_eq!(none.code, 1, "{}", none.err);
+    assert!(none.err.contains("no state") && none.err.contains("standard input:3:1"), "{}", none.err);
+    assert_eq!(
+        call(&[
+            "fit",
+            "no-such.csv",
+            "--strands",
+            "3",
+            "--stiffness-ratio",
+            "1",
+            "--pretwist",
+            "-1",
+            "--estimate",
+            "stiffness_ratio"
+        ])
+        .code,
+        3
+    );
+    assert_eq!(call(&["fit", "-", "--strands", "3"]).code, 2);
+    let same = answer("helical_angle_deg\n12\n", &["--output", "a.svg", "--plot", "a.svg"]);
+    assert!(same.code == 2 && same.err.contains("same file") && !root().join("a.svg").exists(), "{}", same.err);
+    fs::remove_dir_all(folder).unwrap();
+}

@@ -1,0 +1,12 @@
+import { defineConfig } from 'vitest/config'
+
+// The page in a browser, as `nply explore` serves it: one browser and one server for all, a fresh profile for each look.
+export default defineConfig({
+  test: {
+    dir: import.meta.dirname,
+    globalSetup: [new URL('setup.ts', import.meta.url).pathname],
+    testTimeout: 90_000,
+    hookTimeout: 60_000,
+    fileParallelism: false,
+  },
+})
