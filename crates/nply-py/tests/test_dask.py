@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -76,3 +78,15 @@ def test_a_killed_worker_loses_nothing(client: Client, study: nply.Study, rows: 
     there = answers.compute()
     assert victim not in client.run(os.getpid).values()
     pd.testing.assert_frame_equal(there.reset_index(drop=True), alone)
+
+
+def test_the_recipe_s_program_runs(study: nply.Study, rows: pd.DataFrame, root: Path, tmp_path: Path) -> None:
+    """The program of docs/dask.md, as it stands there, as a user would run it."""
+    text = (root / "docs" / "dask.md").read_text()
+    program = text.split("```python\n")[1].split("```")[0]
+    (tmp_path / "recipe.py").write_text(program)
+    written(rows, tmp_path / "rows", 3)
+    done = subprocess.run([sys.executable, "recipe.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    there = pd.concat([pd.read_parquet(part) for part in sorted((tmp_path / "answers").glob("*.parquet"), key=number)])
+    pd.testing.assert_frame_equal(there.reset_index(drop=True), nply.sweep(study, rows).to_pandas())
