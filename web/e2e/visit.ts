@@ -134,7 +134,7 @@ export async function agrees(page: Page, ...having: readonly string[]): Promise<
         expect(last.numbers).toEqual(expected(page, last))
         return true
       },
-      { timeout: 20_000, interval: 100 },
+      { timeout: 60_000, interval: 100 },
     )
     .toBe(true)
   return last!
