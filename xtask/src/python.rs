@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::step::{Outcome, root, run as step};
+use crate::step::{Outcome, cargo, root, run as step};
 use crate::venv;
 
 /// Where the package stands.
@@ -41,5 +41,9 @@ pub(crate) fn run() -> Outcome {
             .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--doctest-modules", "--pyargs", "nply"])
             .current_dir(package().join("tests")),
     )?;
-    step("tests of the package", venv::python().args(["-m", "pytest", "tests"]).current_dir(package()))
+    // what the package says is compared with what the command says
+    step("release build", &mut cargo(["build", "--release"]))?;
+    let command = root().join("target/release").join(if cfg!(windows) { "nply.exe" } else { "nply" });
+    let tests = ["-m", "pytest", "tests"];
+    step("tests of the package", venv::python().args(tests).current_dir(package()).env("NPLY_COMMAND", command))
 }
