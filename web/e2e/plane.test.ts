@@ -117,7 +117,7 @@ test('the state of now is marked on every figure, and moves with it', async () =
     const field = page.locator('#field-pretwist')
     await field.fill('-1.4')
     await field.press('Enter')
-    await agrees(page)
+    await agrees(page, '--pretwist=-1.4')
     await page.waitForTimeout(300)
     const after = await said()
     // the load stands, and the ply moved: all but the plane of loads

@@ -7,7 +7,10 @@ const YARN = '#title=A+yarn&strands=3&diameter=0.275+mm&stiffness-ratio=0.75&tur
 
 async function taken(page: Page, act: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
   const [download] = await Promise.all([page.waitForEvent('download'), act()]) as [Download, void]
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) }
+  const name = download.suggestedFilename()
+  const path = kept('', name)
+  await download.saveAs(path)
+  return { name, bytes: readFileSync(path) }
 }
 
 const fromDialog = (page: Page, name: string) => () => page.locator('#take-away').getByRole('button', { name, exact: true }).click()

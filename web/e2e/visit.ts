@@ -121,18 +121,20 @@ export function expected(page: Page, { number, numbers }: Shown): Readonly<Recor
   return Object.fromEntries(Object.keys(numbers).map((name) => [name, String(state?.[name])]))
 }
 
-/** The page says what the command says, as soon as it has worked it out. */
-export async function agrees(page: Page): Promise<Shown> {
+/** The page says what the command says, as soon as it has worked it out: of these data, where some are named (its address follows a little behind). */
+export async function agrees(page: Page, ...having: readonly string[]): Promise<Shown> {
   let last: Shown | undefined
+  await page.waitForTimeout(250)
   await expect
     .poll(
       async () => {
+        expect(flags(page)).toEqual(expect.arrayContaining([...having]))
         last = await shown(page)
         expect(Object.keys(last.numbers).length).toBeGreaterThan(8)
         expect(last.numbers).toEqual(expected(page, last))
         return true
       },
-      { timeout: 20_000, interval: 100 },
+      { timeout: 60_000, interval: 100 },
     )
     .toBe(true)
   return last!

@@ -105,6 +105,19 @@ pub(crate) fn read_construction(arguments: &ArgMatches) -> Result<Input<Construc
     }
 }
 
+/// Data as they were written, each by its flag.
+pub(crate) type Written = Vec<(&'static str, String)>;
+
+/// What a file says of a ply, datum by datum as flags have it, and whether it also says what changes.
+#[cfg(feature = "explore")]
+pub(crate) fn read_written(path: &str) -> Result<(Written, bool), Failure> {
+    let (name, bytes) = contents(path)?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    let spec = Spec::from_bytes(name, &bytes).and_then(|spec| Ok((Spec::written(name, &text)?, spec.is_study())));
+    let (written, is_study) = spec.map_err(|error| Failure::Refused(error, text))?;
+    Ok((written.into_iter().map(|(key, text)| (key.flag, text)).collect(), is_study))
+}
+
 /// A file's name for messages, and what is in it.
 fn contents(path: &str) -> Result<(&str, Vec<u8>), Failure> {
     let (name, bytes) =

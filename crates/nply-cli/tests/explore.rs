@@ -16,6 +16,8 @@ use command::Answer;
 struct Served {
     child: Child,
     address: SocketAddr,
+    /// what stands behind the address, with the line's end
+    link: String,
 }
 
 impl Served {
@@ -26,9 +28,9 @@ impl Served {
             command::command(&all).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
         let mut line = String::new();
         BufReader::new(child.stdout.as_mut().expect("a pipe")).read_line(&mut line).unwrap();
-        let address = line.strip_prefix("http://").and_then(|line| line.strip_suffix("/\n"));
-        let address = address.unwrap_or_else(|| panic!("no address: {line:?}")).parse().unwrap();
-        Self { child, address }
+        let address = line.strip_prefix("http://").and_then(|line| line.split_once('/'));
+        let (address, link) = address.unwrap_or_else(|| panic!("no address: {line:?}"));
+        Self { child, address: address.parse().unwrap(), link: link.to_owned() }
     }
 
     /// What is said where it must not serve; where it does all the same, that it is at an end.
@@ -465,6 +467,38 @@ fn ctrl_c_ends_it_in_peace() {
     drop(kept);
 }
 
+#[test]
+fn a_file_stands_in_the_address_datum_by_datum() {
+    assert_eq!(Served::with(&[]).link, "\n");
+    let yarn = Served::with(&["examples/three-ply-yarn.toml"]);
+    let pairs: Vec<(&str, &str)> =
+        yarn.link.trim_end()[1..].split('&').map(|pair| pair.split_once('=').unwrap()).collect();
+    assert!(yarn.link.starts_with('#'), "{}", yarn.link);
+    // the same data as flags are the same ply
+    let flags: Vec<String> = pairs
+        .iter()
+        .map(|(flag, text)| {
+            let text = text.replace('+', " ").replace("%2B", "+").replace("%5E", "^");
+            assert!(!text.contains('%'), "{text}");
+            format!("--{flag}={text}")
+        })
+        .collect();
+    let flags: Vec<&str> = ["solve"].into_iter().chain(flags.iter().map(String::as_str)).collect();
+    assert_eq!(command::out(&flags), command::out(&["solve", "examples/three-ply-yarn.toml"]));
+    // what has a meaning in an address has none in a title
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let file = folder.join("titled.toml");
+    std::fs::write(&file, "ply = { title = \"a#b&c=d+é%\", strands = 3 }\n[[path]]\nload.force = 1\n").unwrap();
+    let titled = Served::with(&[file.to_str().unwrap()]);
+    assert_eq!(titled.link, "#title=a%23b%26c%3Dd%2B%C3%A9%25&strands=3\n");
+
+    std::fs::write(&file, "ply.strand = 3\n").unwrap();
+    let Answer { code, err, .. } = Served::refused(&[file.to_str().unwrap()]);
+    assert_eq!(code, 2);
+    assert!(err.contains("did you mean `strands`?"), "{err}");
+    assert_eq!(Served::refused(&["nowhere.toml"]).code, 3);
+}
+
 /// The browser is a script here that writes down what it is given.
 #[cfg(unix)]
 #[test]
@@ -489,7 +523,8 @@ fn the_browser_is_opened_at_the_address() {
         .unwrap();
     let mut line = String::new();
     BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-    let served = Served { child, address: line.trim()["http://".len()..].trim_end_matches('/').parse().unwrap() };
+    let address = line.trim()["http://".len()..].trim_end_matches('/').parse().unwrap();
+    let served = Served { child, address, link: String::new() };
     let opened = (0..1000).find_map(|_| {
         std::thread::sleep(Duration::from_millis(10));
         std::fs::read_to_string(&note).ok()

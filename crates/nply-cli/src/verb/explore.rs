@@ -1,5 +1,6 @@
 //! `nply explore`: the page in which a ply is twisted by hand.
 
+use std::fmt::Write as _;
 use std::io::Write as _;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 
@@ -8,13 +9,14 @@ use nply_sheet::{ErrorKind, Place, SpecError};
 
 use super::Verb;
 use crate::failure::Failure;
+use crate::input;
 use crate::interrupt;
 use crate::output;
 use crate::server::{self, Server, Stop, Visitors};
 
 const LONG: &str = "\
 Serves the explorer, a page in which a ply is twisted, pulled and looked at, to the browsers of this machine, and prints its address.
-The page solves by itself, in the browser: nothing is sent anywhere, and nothing is fetched but the page. Ctrl-C ends it.";
+With FILE it begins with that ply: its data stand in the address. The page solves by itself, in the browser: nothing is sent anywhere, and nothing is fetched but the page. Ctrl-C ends it.";
 
 pub(super) const VERB: Verb = Verb {
     name: "explore",
@@ -30,6 +32,11 @@ const PORT: u16 = 6759;
 
 fn arguments(command: Command) -> Command {
     command
+        .arg(
+            Arg::new("file")
+                .value_name("FILE")
+                .help("A TOML file with the ply to begin with; `-` reads standard input"),
+        )
         .arg(
             Arg::new("port")
                 .long("port")
@@ -71,6 +78,8 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::Refused(SpecError::new(ErrorKind::Missing, place, message), String::new()));
     }
 
+    let ply = arguments.get_one::<String>("file").map(|path| input::read_written(path)).transpose()?;
+
     let wanted = SocketAddr::new(host, port);
     let cannot =
         |error| Failure::File { what: format!("cannot listen at {wanted} (--port 0 takes a free port)"), error };
@@ -82,8 +91,12 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         move || stop.now()
     });
 
-    let page = format!("http://{}/", reached(listening));
+    let (data, is_study) = ply.unwrap_or_default();
+    let page = format!("http://{}/{}", reached(listening), link(&data));
     output::write(&format!("{page}\n"))?;
+    if is_study {
+        say("what changes ([[path]], [map]) is for nply trace and nply map: the page begins without it");
+    }
     if !server::IS_BUILT {
         say("this nply was built without the page, and says there how to build it");
     }
@@ -104,6 +117,29 @@ fn reached(listening: SocketAddr) -> SocketAddr {
         }
         _ => listening,
     }
+}
+
+/// Data as the page reads them behind its address: `#strands=3&diameter=0.5+mm`.
+fn link(data: &[(&str, String)]) -> String {
+    let pairs: Vec<String> = data.iter().map(|(flag, text)| format!("{flag}={}", escaped(text))).collect();
+    if pairs.is_empty() { String::new() } else { format!("#{}", pairs.join("&")) }
+}
+
+/// As a form writes it: what has a meaning in an address stands as its bytes, a blank as a plus.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        match byte {
+            b' ' => escaped.push('+'),
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' | b':' | b',' => {
+                escaped.push(byte.into());
+            }
+            _ => {
+                let _ = write!(escaped, "%{byte:02X}");
+            }
+        }
+    }
+    escaped
 }
 
 /// A remark that is no part of the answer.

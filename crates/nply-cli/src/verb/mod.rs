@@ -85,7 +85,7 @@ Examples:
   nply mesh examples/three-ply-yarn.toml --stripes 2 --output yarn.glb
   nply clearance wires.csv --diameter \"2 mm\" --unit mm
   nply writhe knot.vtp --json
-  nply explore --open
+  nply explore examples/three-ply-yarn.toml --open
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";
