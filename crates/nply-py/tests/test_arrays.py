@@ -111,10 +111,15 @@ def test_results_go_where_they_are_wanted() -> None:
             nply.contact([[3], [7]], ANGLES, out=wrong)
     read_only = np.zeros((2, 40))
     read_only.flags.writeable = False
-    with pytest.raises((ValueError, TypeError)):
+    with pytest.raises(ValueError, match="can be written to"):
         nply.contact([[3], [7]], ANGLES, out=(shift, read_only))
-    with pytest.raises((ValueError, TypeError)):
+    with pytest.raises(ValueError, match="of their own"):
         nply.contact([[3], [7]], ANGLES, out=(shift, shift))
+    both = np.zeros((3, 40))
+    with pytest.raises(ValueError, match="of their own"):
+        nply.contact([[3], [7]], ANGLES, out=(both[:2], both[1:]))
+    with pytest.raises(ValueError, match="of their own"):
+        nply.contact([[3], [7]], radius, out=(shift, radius))
 
 
 def test_threads_change_no_number() -> None:

@@ -177,7 +177,7 @@ def contact(
         errors: what to do with elements outside of these ranges, NaN among them: ``"raise"`` a :class:`DomainError` that names the first, or
             ``"nan"``: give NaN there, and the reasons in ``refused``.
         out: two contiguous float64 arrays of the broadcast shape that take the results, x and rho; asking for no new memory, a call on a million
-            rows takes half the time.
+            rows then spends no time on pages of memory.
 
     Returns:
         :class:`Contacts`: ``arclength_shift`` and ``radius_ratio``, float64 arrays of the broadcast shape, or floats where both arguments are
@@ -203,8 +203,13 @@ def contact(
     shape = np.broadcast_shapes(n.shape, theta.shape)
     shift, radius = (np.empty(shape), np.empty(shape)) if out is None else out
     for array in (shift, radius):
-        if not (isinstance(array, np.ndarray) and array.dtype == np.float64 and array.shape == shape and array.flags.c_contiguous):
-            raise ValueError(f"out: two contiguous float64 arrays of the shape {shape} are wanted")
+        usual = isinstance(array, np.ndarray) and array.dtype == np.float64 and array.shape == shape
+        if not (usual and array.flags.c_contiguous and array.flags.writeable):
+            raise ValueError(f"out: two contiguous float64 arrays of the shape {shape} that can be written to are wanted")
+    if out is not None and any(
+        np.may_share_memory(array, other) for array, other in [(shift, radius), *((a, b) for a in out for b in (n, theta))]
+    ):
+        raise ValueError("out: two arrays of their own are wanted, that share nothing with each other or with what is given")
     refused = Refusals(_nply.contact(_flat(n, shape), _flat(theta, shape), shift.reshape(-1), radius.reshape(-1)), shape)
     if refused and errors == "raise":
         raise refused[0]
