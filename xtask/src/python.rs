@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::step::{Outcome, root, run as step};
+use crate::step::{Outcome, cargo, root, run as step};
 use crate::venv;
 
 /// Where the package stands.
@@ -33,13 +33,21 @@ pub(crate) fn run() -> Outcome {
     let wheel = wheel.ok_or_else(|| format!("no wheel stands in {}", wheels.display()))?;
     let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
     step("wheel installed", venv::python().args(install).arg(wheel))?;
+    let cache = root().join("target/mypy");
     let types = ["-m", "mypy", "--strict", "--package", "nply"];
-    step("types of the package", venv::python().args(types).current_dir(package().join("tests")))?;
+    step("types of the package", venv::python().args(types).current_dir(package()).env("MYPY_CACHE_DIR", &cache))?;
     step(
         "examples of the package",
         venv::python()
             .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--doctest-modules", "--pyargs", "nply"])
-            .current_dir(package().join("tests")),
+            .current_dir(package()),
     )?;
-    step("tests of the package", venv::python().args(["-m", "pytest", "tests"]).current_dir(package()))
+    // what the package says is compared with what the command says
+    step("release build", &mut cargo(["build", "--release"]))?;
+    let command = root().join("target/release").join(if cfg!(windows) { "nply.exe" } else { "nply" });
+    let tests = ["-m", "pytest", "tests"];
+    step(
+        "tests of the package",
+        venv::python().args(tests).current_dir(package()).env("NPLY_COMMAND", command).env("MYPY_CACHE_DIR", &cache),
+    )
 }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use nply::geometry::contact_batch;
 use nply::mechanics::{Balance, Plies, States, Twists};
 use nply::{DomainError, Handedness};
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -68,40 +68,42 @@ fn counted(strands: i64) -> u32 {
     u32::try_from(strands).unwrap_or(0)
 }
 
-type Shapes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Refusals);
-
-/// x and ρ of touching strands, row by row; and which rows are refused.
+/// x and ρ of touching strands, row by row, into arrays of as many rows; and which rows are refused.
 #[pyfunction]
 pub fn contact<'py>(
     py: Python<'py>,
-    rows: usize,
     strands: PyReadonlyArray1<'py, i64>,
     helical_angle: PyReadonlyArray1<'py, f64>,
-) -> PyResult<Shapes<'py>> {
+    mut arclength_shift: PyReadwriteArray1<'py, f64>,
+    mut radius_ratio: PyReadwriteArray1<'py, f64>,
+) -> PyResult<Refusals> {
+    let rows = arclength_shift.len()?;
     let n = Column::of(&strands, rows, "strands")?;
     let theta = Column::of(&helical_angle, rows, "helical_angle")?;
-    let (shift, radius) = (PyArray1::zeros(py, rows, false), PyArray1::zeros(py, rows, false));
-    let mut refused = Vec::new();
-    {
-        let (mut shift, mut radius) = (shift.readwrite(), radius.readwrite());
-        let (shift, radius) = (shift.as_slice_mut()?, radius.as_slice_mut()?);
-        for (k, (shift, radius)) in shift.chunks_mut(LONG).zip(radius.chunks_mut(LONG)).enumerate() {
-            let first = k * LONG;
-            let done: Result<(), DomainError> = alone(py, || {
-                // short stretches, so that what is the same in all rows stays at hand
-                for (j, (shift, radius)) in shift.chunks_mut(STRETCH).zip(radius.chunks_mut(STRETCH)).enumerate() {
-                    let first = first + j * STRETCH;
-                    let here = first..first + shift.len();
-                    let (numbers, theta) = (n.counted(&here, rows), theta.stretch(&here, rows));
-                    let refuse = |row, error| refused.push(n.as_given(first + row, error));
-                    contact_batch(&numbers, &theta, shift, radius, refuse)?;
-                }
-                Ok(())
-            })?;
-            done.map_err(|error| error::of_domain(&error, None))?;
-        }
+    let (shift, radius) = (arclength_shift.as_slice_mut()?, radius_ratio.as_slice_mut()?);
+    if radius.len() != rows {
+        return Err(PyValueError::new_err(format!(
+            "radius_ratio has {} elements where {rows} are wanted",
+            radius.len()
+        )));
     }
-    Ok((shift, radius, Refusals(refused)))
+    let mut refused = Vec::new();
+    for (k, (shift, radius)) in shift.chunks_mut(LONG).zip(radius.chunks_mut(LONG)).enumerate() {
+        let first = k * LONG;
+        let done: Result<(), DomainError> = alone(py, || {
+            // short stretches, so that what is the same in all rows stays at hand
+            for (j, (shift, radius)) in shift.chunks_mut(STRETCH).zip(radius.chunks_mut(STRETCH)).enumerate() {
+                let first = first + j * STRETCH;
+                let here = first..first + shift.len();
+                let (numbers, theta) = (n.counted(&here, rows), theta.stretch(&here, rows));
+                let refuse = |row, error| refused.push(n.as_given(first + row, error));
+                contact_batch(&numbers, &theta, shift, radius, refuse)?;
+            }
+            Ok(())
+        })?;
+        done.map_err(|error| error::of_domain(&error, None))?;
+    }
+    Ok(Refusals(refused))
 }
 
 type Columns<'py> = (

@@ -100,6 +100,28 @@ def test_stretches_join_without_a_seam() -> None:
         assert np.allclose(whole.row(i).helical_angle, one.helical_angle, rtol=0, atol=1e-13)
 
 
+def test_results_go_where_they_are_wanted() -> None:
+    shift, radius = np.full((2, 40), -1.0), np.full((2, 40), -1.0)
+    found = nply.contact([[3], [7]], ANGLES, out=(shift, radius))
+    assert found.arclength_shift is shift and found.radius_ratio is radius
+    fresh = nply.contact([[3], [7]], ANGLES)
+    assert np.array_equal(fresh.radius_ratio, radius) and np.array_equal(fresh.arclength_shift, shift)
+    for wrong in [(shift, radius.T), (shift[:, ::2], radius), (shift, radius.astype(np.float32)), (shift, shift[0])]:
+        with pytest.raises(ValueError, match="^out: "):
+            nply.contact([[3], [7]], ANGLES, out=wrong)
+    read_only = np.zeros((2, 40))
+    read_only.flags.writeable = False
+    with pytest.raises(ValueError, match="can be written to"):
+        nply.contact([[3], [7]], ANGLES, out=(shift, read_only))
+    with pytest.raises(ValueError, match="of their own"):
+        nply.contact([[3], [7]], ANGLES, out=(shift, shift))
+    both = np.zeros((3, 40))
+    with pytest.raises(ValueError, match="of their own"):
+        nply.contact([[3], [7]], ANGLES, out=(both[:2], both[1:]))
+    with pytest.raises(ValueError, match="of their own"):
+        nply.contact([[3], [7]], radius, out=(shift, radius))
+
+
 def test_threads_change_no_number() -> None:
     twist = np.linspace(-2, 2, 40_000)
     nply.set_jobs(1)

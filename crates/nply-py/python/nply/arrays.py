@@ -162,7 +162,13 @@ class Equilibria:
         return f"<{len(self)} states of {plies} {'ply' if plies == 1 else 'plies'}>"
 
 
-def contact(strands: ArrayLike, helical_angle: ArrayLike, *, errors: Literal["raise", "nan"] = "raise") -> Contacts:
+def contact(
+    strands: ArrayLike,
+    helical_angle: ArrayLike,
+    *,
+    errors: Literal["raise", "nan"] = "raise",
+    out: tuple[Floats, Floats] | None = None,
+) -> Contacts:
     """How neighbouring strands touch at a helical angle, (4)-(6).
 
     Args:
@@ -170,6 +176,8 @@ def contact(strands: ArrayLike, helical_angle: ArrayLike, *, errors: Literal["ra
         helical_angle: theta in rad, in [0, pi/2): 0 straight strands, towards pi/2 flat rings.
         errors: what to do with elements outside of these ranges, NaN among them: ``"raise"`` a :class:`DomainError` that names the first, or
             ``"nan"``: give NaN there, and the reasons in ``refused``.
+        out: two contiguous float64 arrays of the broadcast shape that take the results, x and rho; asking for no new memory, a call on a million
+            rows then spends no time on pages of memory.
 
     Returns:
         :class:`Contacts`: ``arclength_shift`` and ``radius_ratio``, float64 arrays of the broadcast shape, or floats where both arguments are
@@ -193,13 +201,21 @@ def contact(strands: ArrayLike, helical_angle: ArrayLike, *, errors: Literal["ra
     _check_errors(errors)
     n, theta = _whole("strands", strands), np.asarray(helical_angle, dtype=np.float64)
     shape = np.broadcast_shapes(n.shape, theta.shape)
-    shift, radius, rows = _nply.contact(_size(shape), _flat(n, shape), _flat(theta, shape))
-    refused = Refusals(rows, shape)
+    shift, radius = (np.empty(shape), np.empty(shape)) if out is None else out
+    for array in (shift, radius):
+        usual = isinstance(array, np.ndarray) and array.dtype == np.float64 and array.shape == shape
+        if not (usual and array.flags.c_contiguous and array.flags.writeable):
+            raise ValueError(f"out: two contiguous float64 arrays of the shape {shape} that can be written to are wanted")
+    if out is not None and any(
+        np.may_share_memory(array, other) for array, other in [(shift, radius), *((a, b) for a in out for b in (n, theta))]
+    ):
+        raise ValueError("out: two arrays of their own are wanted, that share nothing with each other or with what is given")
+    refused = Refusals(_nply.contact(_flat(n, shape), _flat(theta, shape), shift.reshape(-1), radius.reshape(-1)), shape)
     if refused and errors == "raise":
         raise refused[0]
-    if not shape:
-        return Contacts(float(shift[0]), float(radius[0]), refused)
-    return Contacts(shift.reshape(shape), radius.reshape(shape), refused)
+    if not shape and out is None:
+        return Contacts(float(shift), float(radius), refused)
+    return Contacts(shift, radius, refused)
 
 
 def equilibria(
