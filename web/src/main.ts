@@ -276,14 +276,14 @@ function showFigures(): void {
 async function open(name: string, text: string): Promise<void> {
   const read = await solver.ask('open', { name, text })
   if (isRefusal(read)) {
-    refusal = read.error
+    refusal = { ...read.error, key: null } // of that document, and not of the fields on show
     showPanel()
     return
   }
   forget()
   panel?.begun(null, `Opened: ${name}.`)
   change({ ...history.now, data: read.data, at: null }, 'preset')
-  if (read.study) say(`${name} also says what changes ([[path]] or [map]): that is for nply trace and nply map, and is left out here.`)
+  if (read.study) say(`${name} also says what changes ([[path]], [map] or [sweep]): that is for nply trace, nply map and nply sweep, and is left out here.`)
 }
 
 async function preset(name: string): Promise<void> {

@@ -57,6 +57,10 @@ describe('documents', () => {
     expect(Object.fromEntries(opened.data.map(({ flag, text }) => [flag, text]))).toEqual(data)
   })
 
+  test('a title that looks like a number stays a text', () => {
+    expect(answer({ title: '12', strands: '3', 'stiffness-ratio': '0.75', pretwist: '-1' }).report.title).toBe('12')
+  })
+
   test('every preset that is a ply begins with states', () => {
     const { presets } = doors.hello({})
     let begun = 0
@@ -82,7 +86,8 @@ test('every refusal is the sentence of the command', () => {
       if (/^\[\[(path|layer)|^\[map|^path|^\[construction/m.test(text)) continue // of other commands
       const given = name.replace('tests/inputs/', '')
       const { error } = JSON.parse(solve(given, text)) as { error?: { sentence: string } }
-      if (!error) continue // refused by another question
+      const kept = sentences.some((sentence) => sentence.startsWith(`${given}:`))
+      if (!error || !kept) continue // refused by another question, or only once it is solved
       expect(sentences, given).toContain(error.sentence)
       compared += 1
     }
@@ -107,6 +112,16 @@ describe('the ply is followed', () => {
     const over = doors.solve({ data: { ...rods, force: '-1.4' }, at: null, before: first.before, along: 'force' }) as Answer
     const fold = over.walk?.events.find((event) => event.event === 'fold')
     expect([fold?.jump, fold?.force]).toEqual(['none', expect.closeTo(-1.28727, 5)]) // as nply trace has it
+  })
+
+  test('through straight strands to the other hand, and not to what lies nearest', () => {
+    const yarn = { strands: '3', 'stiffness-ratio': '0.75', pretwist: '0.406051' }
+    const first = answer(yarn)
+    const turned = doors.solve({ data: { ...yarn, moment: '1.5' }, at: first.before!.place, before: first.before, along: 'force' }) as Answer
+    expect(first.report.states[first.number]!.lay).toBe('S')
+    expect(turned.report.states[turned.number]!.lay).toBe('Z')
+    // as margins of nply solve have it: the moment may rise by 0.9136 before the strands lie straight
+    expect(turned.walk?.events.find((event) => event.event === 'straight')?.moment).toBeCloseTo(0.9136, 4)
   })
 
   test('from straight strands that are let go, to the angle of a simulation in three dimensions', () => {

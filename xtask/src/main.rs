@@ -3,6 +3,7 @@
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
+//!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
 //!     cargo xtask figures       draws the figures of docs/figures anew
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
@@ -10,14 +11,16 @@
 mod authorities;
 mod bench;
 mod figures;
+mod python;
 mod soak;
 mod step;
 mod test;
+mod venv;
 mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|bench|figures|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,6 +32,7 @@ fn main() -> ExitCode {
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
         ["authorities"] => authorities::run(),
+        ["python"] => python::run(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;

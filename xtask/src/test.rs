@@ -1,5 +1,6 @@
 //! `cargo xtask test`: the cheap checks first, then the tests, then the command as a reader will call it.
 
+use crate::python;
 use crate::step::{Outcome, answers, cargo, run as step, run_and_hear};
 use crate::web;
 
@@ -19,6 +20,7 @@ pub(crate) fn run() -> Outcome {
     }
     step("release build", &mut cargo(["build", "--release"]))?;
     run_and_hear("main job", &mut cargo(MAIN_JOB))?;
+    python::run()?;
     println!("\nxtask: every step passed");
     Ok(())
 }

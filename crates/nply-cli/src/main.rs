@@ -6,9 +6,9 @@ mod failure;
 mod input;
 mod interrupt;
 mod output;
+mod part;
 #[cfg(feature = "explore")]
 mod server;
-mod part;
 mod verb;
 
 use std::process::ExitCode;

@@ -205,7 +205,15 @@ export class Panel {
   #refuse(refusal: Refusal | null): void {
     const place = byId('refusal')
     place.hidden = refusal === null
+    const said = refusal?.sentence ?? ''
+    // said once, however often it is drawn
+    if (place.dataset['said'] === said) return this.#atFields(refusal)
+    place.dataset['said'] = said
     place.replaceChildren(...(refusal ? [el('strong', {}, 'No answer. '), refusal.sentence] : []))
+    this.#atFields(refusal)
+  }
+
+  #atFields(refusal: Refusal | null): void {
     for (const field of this.#fields.values()) {
       const about = refusal && this.#keys.get(field.flag)?.name === refusal.key && field.element.isConnected
       field.refuse(about ? (refusal.message ?? refusal.sentence) : null)

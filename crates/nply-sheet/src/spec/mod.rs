@@ -149,7 +149,7 @@ impl Spec {
         Ok(spec)
     }
 
-    /// Whether it says what changes, beside what there is: `[[path]]` or `[map]`.
+    /// Whether it says what changes, beside what there is: `[[path]]`, `[map]` or `[sweep]`.
     ///
     /// ```
     /// let text = "ply.strands = 3\n[[path]]\nload.force = 1\n";
@@ -158,7 +158,7 @@ impl Spec {
     /// ```
     #[must_use]
     pub fn is_study(&self) -> bool {
-        !self.legs.is_empty() || self.map.is_some()
+        !self.legs.is_empty() || self.map.is_some() || self.sweep.is_some()
     }
 
     /// This description with `flags` laid over it: a datum given by a flag takes the place of the same datum, and of any

@@ -10,13 +10,13 @@ use crate::{KEYS, Key, Place, SpecError};
 
 impl Spec {
     /// Every datum of a document in its order: the key, and what is written, without quotation marks. Written again as TOML, or as flags,
-    /// they are the same description. What changes, `[[path]]` and `[map]`, is not among them; see [`Spec::is_study`].
+    /// they are the same description. What changes, `[[path]]`, `[map]` and `[sweep]`, is not among them; see [`Spec::is_study`].
     ///
     /// # Errors
     /// [`SpecError`] as for [`Spec::from_toml`].
     ///
     /// ```
-    /// let written = nply_sheet::Spec::written("ply.toml", "ply.strands = 3\nstrand.diameter = \"0.5 mm\"\n")?;
+    /// let written = nply_sheet::Spec::written("ply.toml", "ply.strands = 0x3\nstrand.diameter = \"0.5 mm\"\n")?;
     /// let written: Vec<_> = written.iter().map(|(key, text)| (key.flag, text.as_str())).collect();
     /// assert_eq!(written, [("strands", "3"), ("diameter", "0.5 mm")]);
     /// # Ok::<(), nply_sheet::SpecError>(())

@@ -1,4 +1,4 @@
-//! Columns as Arrow has them.
+//! Columns as Arrow has them, for doors that hand tables on.
 
 use std::collections::HashMap;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -266,13 +266,26 @@ impl<R: Read + Seek + Send> ChunkReader for Shared<R> {
 }
 
 /// The schema of a table; units stand in the metadata `unit` of the fields.
-pub(crate) fn schema(columns: &[Column], metadata: &[(String, String)]) -> SchemaRef {
+///
+/// ```
+/// use nply_sheet::table::{Column, Kind, arrow};
+/// let columns = [Column::new("force", Kind::Float).with_unit("N")];
+/// let schema = arrow::schema(&columns, &[("program".into(), "nply".into())]);
+/// assert_eq!(schema.field(0).metadata()["unit"], "N");
+/// assert_eq!(arrow::batch(&schema, &[vec![Some(0.5), None].into()])?.num_rows(), 2);
+/// # Ok::<(), nply_sheet::table::TableError>(())
+/// ```
+#[must_use]
+pub fn schema(columns: &[Column], metadata: &[(String, String)]) -> SchemaRef {
     let fields: Vec<Field> = columns.iter().map(field).collect();
     Arc::new(Schema::new_with_metadata(fields, metadata.iter().cloned().collect::<HashMap<String, String>>()))
 }
 
-/// A stretch of a table.
-pub(crate) fn batch(schema: &SchemaRef, chunk: &[Values]) -> Result<RecordBatch, TableError> {
+/// A stretch of a table: as many columns as it has, all of one length.
+///
+/// # Errors
+/// [`TableError`] where number, kinds or lengths of the columns do not fit.
+pub fn batch(schema: &SchemaRef, chunk: &[Values]) -> Result<RecordBatch, TableError> {
     let rows = RecordBatchOptions::new().with_row_count(Some(chunk.first().map_or(0, Values::len)));
     RecordBatch::try_new_with_options(schema.clone(), chunk.iter().map(array).collect(), &rows)
         .map_err(|error| TableError::Encode(error.into()))

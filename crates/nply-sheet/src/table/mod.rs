@@ -10,7 +10,7 @@
 //! ```
 
 #[cfg(feature = "parquet")]
-pub(crate) mod arrow;
+pub mod arrow;
 mod block;
 mod column;
 mod comma;

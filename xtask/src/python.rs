@@ -1,0 +1,45 @@
+//! The Python package as a user gets it: its wheel is built, installed into `.venv`, and tested there. Needs Python 3.10 or later with `venv`.
+
+use std::fs;
+use std::path::PathBuf;
+
+use crate::step::{Outcome, root, run as step};
+use crate::venv;
+
+/// Where the package stands.
+fn package() -> PathBuf {
+    root().join("crates/nply-py")
+}
+
+/// Without a Python this is left out, and that is said; where `CI` is set it is a failure.
+pub(crate) fn run() -> Outcome {
+    if !venv::is_there() {
+        let said = "python3 is missing: the Python package is neither built nor tested";
+        if std::env::var_os("CI").is_some() {
+            return Err(said.to_owned());
+        }
+        println!("\n== {said}");
+        return Ok(());
+    }
+    venv::with(&package().join("requirements.txt"))?;
+    // an old wheel beside the new one would leave open which is meant
+    let wheels = root().join("target/wheels");
+    if wheels.exists() {
+        fs::remove_dir_all(&wheels).map_err(|error| format!("cannot remove {}: {error}", wheels.display()))?;
+    }
+    let build = ["-m", "maturin", "build", "--quiet", "--locked", "--manifest-path", "crates/nply-py/Cargo.toml"];
+    step("wheel", venv::python().args(build).arg("--out").arg(&wheels))?;
+    let wheel = fs::read_dir(&wheels).ok().and_then(|mut found| found.next()?.ok()).map(|found| found.path());
+    let wheel = wheel.ok_or_else(|| format!("no wheel stands in {}", wheels.display()))?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
+    step("wheel installed", venv::python().args(install).arg(wheel))?;
+    let types = ["-m", "mypy", "--strict", "--package", "nply"];
+    step("types of the package", venv::python().args(types).current_dir(package().join("tests")))?;
+    step(
+        "examples of the package",
+        venv::python()
+            .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--doctest-modules", "--pyargs", "nply"])
+            .current_dir(package().join("tests")),
+    )?;
+    step("tests of the package", venv::python().args(["-m", "pytest", "tests"]).current_dir(package()))
+}
