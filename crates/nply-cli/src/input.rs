@@ -105,9 +105,12 @@ pub(crate) fn read_construction(arguments: &ArgMatches) -> Result<Input<Construc
     }
 }
 
+/// Data as they were written, each by its flag.
+pub(crate) type Written = Vec<(&'static str, String)>;
+
 /// What a file says of a ply, datum by datum as flags have it, and whether it also says what changes.
 #[cfg(feature = "explore")]
-pub(crate) fn read_written(path: &str) -> Result<(Vec<(&'static str, String)>, bool), Failure> {
+pub(crate) fn read_written(path: &str) -> Result<(Written, bool), Failure> {
     let (name, bytes) = contents(path)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let spec = Spec::from_bytes(name, &bytes).and_then(|spec| Ok((Spec::written(name, &text)?, spec.is_study())));

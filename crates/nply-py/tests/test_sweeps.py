@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ def same(one: nply.Table, other: nply.Table) -> bool:
 
 
 def test_rows_are_single_plies() -> None:
-    table = nply.sweep(**BASE, vary={"pretwist": np.linspace(-2, 2, 5), "force": [-0.1, 0.2]}, outputs="helical_angle")
+    table = nply.sweep(**BASE, sweep={"pretwist": np.linspace(-2, 2, 5), "force": [-0.1, 0.2]}, outputs="helical_angle")
     at = 0
     for row, (twist, force) in enumerate((t, f) for t in np.linspace(-2, 2, 5) for f in (-0.1, 0.2)):
         states = nply.solve(**BASE, pretwist=twist, force=force).states
@@ -32,7 +33,7 @@ def test_rows_are_single_plies() -> None:
 
 
 def test_a_study_can_be_cut_anywhere() -> None:
-    study = nply.Study(**BASE, vary=["strands=2,3,7", "pretwist=-2:2:9001"], outputs="helical_angle")
+    study = nply.Study(**BASE, sweep=["strands=2,3,7", "pretwist=-2:2:9001"], outputs="helical_angle")
     whole = study.solve()
     assert len(study) == 27003
     for batch, first in zip(study.batches(rows=5000), range(0, 27003, 5000)):
@@ -48,7 +49,7 @@ def test_a_study_can_be_cut_anywhere() -> None:
 
 
 def test_a_study_travels_as_its_text() -> None:
-    study = nply.Study(**BASE, vary="pretwist=-1:1", sample="sobol", points=64, seed=3, states="stable", outputs="helical_angle")
+    study = nply.Study(**BASE, sweep="pretwist=-1:1", sample="sobol", points=64, seed=3, states="stable", outputs="helical_angle")
     again = pickle.loads(pickle.dumps(study))
     assert again.text == study.text and same(again.solve(), study.solve())
     assert nply.Study(study.text).columns == study.columns
@@ -81,6 +82,26 @@ def test_what_is_no_study_is_said() -> None:
     with pytest.raises(nply.SpecError, match="no column is a datum"):
         nply.solve_batch(nply.Table.of({"x": np.zeros(2)}), **BASE)
     with pytest.raises(nply.SpecError, match="no datum of a ply"):
-        nply.Study(**BASE, vary="angle=0:1:3")
+        nply.Study(**BASE, sweep="angle=0:1:3")
     with pytest.raises(TypeError, match="cannot be changed"):
-        nply.sweep(nply.Study(**BASE, vary="pretwist=0:1:3"), outputs="helical_angle")
+        nply.sweep(nply.Study(**BASE, sweep="pretwist=0:1:3"), outputs="helical_angle")
+
+
+def test_the_table_is_the_command_s(root: Path, command, tmp_path: Path) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet
+
+    for name in ("yarn-twist", "yarn-tolerance"):
+        document = f"examples/studies/{name}.toml"
+        _, said = command("sweep", document, "--output", str(tmp_path / f"{name}.parquet"), "--quiet")
+        written = pa.parquet.read_table(tmp_path / f"{name}.parquet")
+        table = pa.table(nply.sweep(root / document))
+        assert table.equals(written), said
+        for field in table.schema:
+            assert field.metadata == written.schema.field(field.name).metadata
+        rows = written.select([column for column in written.column_names if column not in ("row",)])
+        assert rows.num_rows > 0
+    words = ["--strands=3", "--stiffness-ratio=0.75", "--sweep=pretwist=-1:1:5", "--sweep=force=0,0.1", "--outputs=helical_angle"]
+    command("sweep", *words, "--output", str(tmp_path / "flags.parquet"), "--quiet")
+    written = pa.parquet.read_table(tmp_path / "flags.parquet")
+    assert pa.table(nply.sweep(**BASE, sweep=["pretwist=-1:1:5", "force=0,0.1"], outputs="helical_angle")).equals(written)

@@ -30,7 +30,7 @@ class Study:
 
     Args:
         document: the ply, see :mod:`nply.reports`; its ``[sweep]`` says what varies and what is asked, as the command's ``nply sweep`` reads it.
-        vary: what varies, instead: ``"pretwist=-1:1:1001"``, several such texts, or a dictionary:
+        sweep: what varies, instead: ``"pretwist=-1:1:1001"``, several such texts, or a dictionary:
             ``{"pretwist": np.linspace(-1, 1, 1001), "force": "0:2 kN:11", "strands": [2, 3, 6]}``; the last one varies fastest.
         order: ``"grid"`` (every combination) or ``"zip"`` (the first values together, then the second ones).
         sample: ``"sobol"`` or ``"latin"``: spread *points* sets of data over the ranges (given without a number of values).
@@ -46,7 +46,7 @@ class Study:
     A study can be pickled, and so sent to other processes.
 
     >>> import nply
-    >>> study = nply.Study(strands=3, stiffness_ratio=0.75, vary="pretwist=-1:0:3", outputs=["helical_angle"], states="stable")
+    >>> study = nply.Study(strands=3, stiffness_ratio=0.75, sweep="pretwist=-1:0:3", outputs=["helical_angle"], states="stable")
     >>> len(study), study.columns
     (3, ['row', 'pretwist', 'state', 'helical_angle_deg', 'reason'])
     >>> study.solve(first=0, count=1)["helical_angle_deg"].round(3)
@@ -58,7 +58,7 @@ class Study:
         document: Document | None = None,
         /,
         *,
-        vary: Varying = None,
+        sweep: Varying = None,
         order: Literal["grid", "zip"] | None = None,
         sample: Literal["sobol", "latin"] | None = None,
         points: int | None = None,
@@ -69,12 +69,12 @@ class Study:
         **data: Unpack[Data],
     ) -> None:
         asked = {
-            "sweep": _varying(vary),
+            "sweep": _varying(sweep),
             "order": order,
             "sample": sample,
             "points": points,
             "seed": seed,
-            "outputs": [outputs] if isinstance(outputs, str) else list(outputs or ()),
+            "outputs": outputs.split(",") if isinstance(outputs, str) else list(outputs or ()),
             "states": states,
             "question": question,
         }
@@ -108,7 +108,7 @@ class Study:
         """The same, *rows* sets of data at a time, so that memory stays flat however long the study is.
 
         >>> import nply
-        >>> study = nply.Study(strands=3, stiffness_ratio=0.75, vary="pretwist=-1:1:1000", outputs="helical_angle")
+        >>> study = nply.Study(strands=3, stiffness_ratio=0.75, sweep="pretwist=-1:1:1000", outputs="helical_angle")
         >>> sum(len(set(batch["row"])) for batch in study.batches(rows=300))
         1000
         """
@@ -146,7 +146,7 @@ def sweep(document: Document | Study | None = None, /, rows: Any = None, **asked
         SpecError: the study is refused, with its place. A row that cannot be solved is no error: it has its sentence in ``reason``.
 
     >>> import nply
-    >>> table = nply.sweep(strands=3, stiffness_ratio=0.75, vary="pretwist=-1:1:3", outputs=["helical_angle", "interstrand_pressure"])
+    >>> table = nply.sweep(strands=3, stiffness_ratio=0.75, sweep="pretwist=-1:1:3", outputs=["helical_angle", "interstrand_pressure"])
     >>> table["row"].tolist()
     [0, 0, 1, 1, 2, 2]
     """
@@ -187,14 +187,14 @@ def _study(document: Document | Study | None, asked: dict[str, Any]) -> Study:
     return Study(document, **asked)
 
 
-def _varying(vary: Varying) -> list[str]:
-    if vary is None:
+def _varying(sweep: Varying) -> list[str]:
+    if sweep is None:
         return []
-    if isinstance(vary, str):
-        return [vary]
-    if isinstance(vary, Mapping):
-        return [f"{name}={_values(values)}" for name, values in vary.items()]
-    return list(vary)
+    if isinstance(sweep, str):
+        return [sweep]
+    if isinstance(sweep, Mapping):
+        return [f"{name}={_values(values)}" for name, values in sweep.items()]
+    return list(sweep)
 
 
 def _values(values: Any) -> str:
