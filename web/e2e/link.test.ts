@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { agrees, RODS, settled, shown, visit, withFigures } from './visit.ts'
+import { agrees, FLAT, RODS, settled, shown, visit, withFigures } from './visit.ts'
 
 test('a link carries everything that is on show', async () => {
   let [address, numbers]: [string, Readonly<Record<string, string>>] = ['', {}]
@@ -19,7 +19,7 @@ test('a link carries everything that is on show', async () => {
     await expect.poll(() => page.url()).toMatch(/along=moment/)
     numbers = (await agrees(page)).numbers
     address = page.url()
-  })
+  }, FLAT)
   await visit(new URL(address).hash, async ({ page }) => {
     await withFigures(page)
     expect((await agrees(page)).numbers).toEqual(numbers)
@@ -29,7 +29,7 @@ test('a link carries everything that is on show', async () => {
       return [of('cut').value, of('paint').checked, of('inside').checked, of('stripes').value, of('radii').getAttribute('aria-pressed'), of('along').value]
     })
     expect(look).toEqual(['0.4', true, true, '5', 'true', 'moment'])
-  })
+  }, FLAT)
 })
 
 test('an address that is changed by hand is followed', async () => {
@@ -38,7 +38,7 @@ test('an address that is changed by hand is followed', async () => {
     await page.evaluate(() => (location.hash = '#strands=6&stiffness-ratio=0.9&helical-angle=25+deg&hand=left'))
     await expect.poll(async () => Number((await shown(page)).numbers['helical_angle_deg'])).toBeCloseTo(25, 9)
     await agrees(page, '--strands=6')
-  })
+  }, FLAT)
 })
 
 test('whatever stands in an address, the page stands too', async () => {
@@ -48,13 +48,13 @@ test('whatever stands in an address, the page stands too', async () => {
       const refusal = (await page.locator('#refusal').textContent()) ?? ''
       expect((await shown(page)).states > 0 || refusal.length > 10, hash).toBe(true)
       expect(refusal, hash).not.toMatch(/set up|undefined|\[object/)
-    })
+    }, FLAT)
   }
   // half a character, which a browser will not be sent to from outside
   await visit(RODS, async ({ page }) => {
     await page.evaluate(() => (location.hash = '#title=%E0%A4%A&strands=3&stiffness-ratio=1&pretwist=1'))
     await expect.poll(() => page.locator('#title').textContent()).toBe('%E0%A4%A')
-  })
+  }, FLAT)
 })
 
 test('a title of markup stays a title', async () => {
@@ -62,7 +62,7 @@ test('a title of markup stays a title', async () => {
     await agrees(page)
     expect(await page.locator('#title').textContent()).toBe('<img src=x onerror=window.hit=1>')
     expect(await page.evaluate(() => 'hit' in window)).toBe(false)
-  })
+  }, FLAT)
 })
 
 test('what was done is undone and done again', async () => {
@@ -80,5 +80,5 @@ test('what was done is undone and done again', async () => {
     await page.locator('body').press('Control+Z')
     await expect.poll(async () => (await shown(page)).numbers).toEqual(first.numbers)
     await agrees(page)
-  })
+  }, FLAT)
 })

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import type { Page } from 'playwright-core'
-import { agrees, flags, nply, RODS, shown, visit } from './visit.ts'
+import { agrees, flags, FLAT, nply, RODS, shown, visit } from './visit.ts'
 
 /** Moves a slider as arrow keys do, which a screen reader's user has too. */
 async function slide(page: Page, flag: string, keys: string, times: number): Promise<void> {
@@ -29,7 +29,7 @@ test('a slider changes the numbers to what the command prints for that ply', asy
     expect(Number(pulled.numbers['helical_angle_deg'])).toBeLessThan(Number(after.numbers['helical_angle_deg']))
     await slide(page, 'strands', 'ArrowRight', 2)
     await agrees(page, '--strands=5')
-  })
+  }, FLAT)
 })
 
 test('a number is typed as one says it, and is what the command reads', async () => {
@@ -40,7 +40,7 @@ test('a number is typed as one says it, and is what the command reads', async ()
     await type(page, 'force', '20 mN')
     const { numbers } = await agrees(page, '--force=20 mN')
     expect(Number(numbers['force'])).toBeGreaterThan(0)
-  })
+  }, FLAT)
 })
 
 test('every ply it offers is shown as the command works it out', async () => {
@@ -56,7 +56,7 @@ test('every ply it offers is shown as the command works it out', async () => {
       expect(refusal, name).toBe('')
       await agrees(page)
     }
-  })
+  }, FLAT)
 })
 
 test('the other states of a ply are one click away', async () => {
@@ -70,7 +70,7 @@ test('the other states of a ply are one click away', async () => {
       seen.add((await agrees(page)).numbers['helical_angle_deg'] ?? '')
     }
     expect(seen.size).toBe(3)
-  })
+  }, FLAT)
 })
 
 test('both balances are given with their difference', async () => {
@@ -82,7 +82,7 @@ test('both balances are given with their difference', async () => {
     const radial = Number((await agrees(page, '--balance=radial')).numbers['helical_angle_deg'])
     const difference = Number(/difference [+−]([\d.]+)°/.exec(words)?.[1])
     expect(difference).toBeCloseTo(Math.abs(radial - contact), 2)
-  })
+  }, FLAT)
 })
 
 test('units are switched without a number changing', async () => {
@@ -93,5 +93,5 @@ test('units are switched without a number changing', async () => {
     await page.locator('#radii').click()
     expect(await force.textContent()).toMatch(/B\/r²$/)
     expect((await shown(page)).numbers).toEqual(before.numbers)
-  })
+  }, FLAT)
 })

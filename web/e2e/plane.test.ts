@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import type { Page } from 'playwright-core'
-import { agrees, flags, picture, RODS, shown, solve, visit, withFigures } from './visit.ts'
+import { agrees, flags, FLAT, picture, RODS, shown, solve, visit, withFigures } from './visit.ts'
 
 /** Where a load stands on the screen, from two ticks of each axis. */
 async function places(page: Page): Promise<(force: number, moment: number) => [number, number]> {
@@ -54,7 +54,7 @@ test('a load that is dragged over the locus of separation says that the strands 
     expect(Number(after.numbers['interstrand_pressure'])).toBeLessThan(0)
     expect(await page.locator('#states [aria-checked=true]').textContent()).toContain('would have to pull')
     await picture(page, 'plane-after')
-  })
+  }, FLAT)
 })
 
 test('a load that is dragged past a fold says that the ply jumps, and where to', async () => {
@@ -65,7 +65,7 @@ test('a load that is dragged past a fold says that the ply jumps, and where to',
     await expect.poll(() => page.locator('#events').textContent(), { timeout: 15_000 }).toMatch(/At −1\.28\d* B\/r².*two meet in a fold.*(jumps to|No stable uniform ply is left)/)
     await agrees(page)
     await picture(page, 'plane-fold')
-  })
+  }, FLAT)
 })
 
 test('a click moves the load there, and the ply follows', async () => {
@@ -77,7 +77,7 @@ test('a click moves the load there, and the ply follows', async () => {
     const { numbers } = await agrees(page)
     expect(Number(numbers['force'])).toBeCloseTo(0.5, 1)
     expect(Number(numbers['moment'])).toBeCloseTo(0.2, 1)
-  })
+  }, FLAT)
 })
 
 test('the load moves by the keyboard too', async () => {
@@ -91,7 +91,7 @@ test('the load moves by the keyboard too', async () => {
     }
     await expect.poll(async () => Number((await shown(page)).numbers['force'])).toBeGreaterThan(0.05)
     await agrees(page)
-  })
+  }, FLAT)
 })
 
 test('the state of now is marked on every figure, and moves with it', async () => {
@@ -109,7 +109,7 @@ test('the state of now is marked on every figure, and moves with it', async () =
         await svg.waitFor()
         const [mark, frame] = [await page.locator(`#${id} svg g[aria-label=dot] circle`).last().boundingBox(), await svg.boundingBox()]
         expect(mark!.x > frame!.x && mark!.x < frame!.x + frame!.width && mark!.y > frame!.y && mark!.y < frame!.y + frame!.height, id).toBe(true)
-        found[id] = (await svg.getAttribute('aria-description')) ?? ''
+        found[id] = (await page.locator(`#${id} .plot-place`).getAttribute('aria-label')) ?? ''
       }
       return found
     }
@@ -122,7 +122,7 @@ test('the state of now is marked on every figure, and moves with it', async () =
     const after = await said()
     // the load stands, and the ply moved: all but the plane of loads
     for (const id of figures) if (id !== 'figure-force-moment') expect(after[id], id).not.toBe(before[id])
-  })
+  }, FLAT)
 })
 
 test('hovering a curve says what stands there', async () => {
@@ -139,5 +139,5 @@ test('hovering a curve says what stands there', async () => {
     await page.mouse.move(x + 1, y + 1)
     await expect.poll(() => figure.locator('svg g[aria-label=tip]').textContent()).toMatch(/°/)
     await picture(page, 'hover')
-  })
+  }, FLAT)
 })

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { agrees, expected, kept, refused, RODS, settled, shown, visit } from './visit.ts'
+import { agrees, expected, FLAT, kept, refused, RODS, settled, shown, visit } from './visit.ts'
 
 /** Wrong input: the flag, what is typed, and the document that says the same. */
 const WRONG: readonly (readonly [flag: string, typed: string, document: string])[] = [
@@ -37,7 +37,7 @@ test('wrong input is refused in the command’s own words, at its field, and rig
       await field.press('Enter')
       await refusal.waitFor({ state: 'hidden' })
       expect((await agrees(page)).numbers).toEqual(before.numbers)
-    })
+    }, FLAT)
   }
 })
 
@@ -56,7 +56,7 @@ test('a document that is wrong is refused with its line, and the page stays as i
     expect(await refusal.textContent()).toContain(/^error: (.*)$/m.exec(said)?.[1])
     expect(await refusal.textContent()).toContain('bad.toml:2:')
     expect((await shown(page)).numbers).toEqual(before.numbers)
-  })
+  }, FLAT)
 })
 
 test('an address that says too little is refused, and what is missing is said', async () => {
@@ -66,9 +66,9 @@ test('an address that says too little is refused, and what is missing is said', 
     if (code === 0) return void (await agrees(page)) // nothing is missing after all
     const words = (await page.locator('#refusal').textContent()) ?? ''
     // a command's flags are a document's keys; what is missing is the same
-    const missing = /(?:error: )([^:\n]*missing)/.exec(said)?.[1] ?? said.split('\n')[0]!.replace('error: ', '').slice(0, 40)
+    const missing = /^error: (?:--[a-z-]+: )?(.*? is missing)/m.exec(said)?.[1] ?? said
     expect(words).toContain(missing)
-  })
+  }, FLAT)
 })
 
 test('no state in equilibrium is an answer', async () => {
@@ -78,5 +78,5 @@ test('no state in equilibrium is an answer', async () => {
     expect((await page.locator('#refusal').textContent()) ?? '').toBe('')
     if (seen.number >= 0 && Object.keys(seen.numbers).length > 0) expect(seen.numbers).toEqual(expected(page, seen))
     else expect(await page.locator('#states').textContent()).toMatch(/No state is in equilibrium|straight/)
-  })
+  }, FLAT)
 })

@@ -48,6 +48,12 @@ export async function visit(hash: string, act: (visit: Visit) => Promise<void>, 
   expect(requests.map((request) => new URL(request.url())).filter((url) => url.origin !== ours && !['data:', 'blob:'].includes(url.protocol))).toEqual([])
 }
 
+/** Without the third dimension, which a machine without a card draws slowly: for what has nothing to do with it. */
+export const FLAT: Circumstances = {
+  before: `const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return /webgl/.test(kind) ? null : get.call(this, kind, ...rest) }`,
+  bears: /WebGL/,
+}
+
 /** What software that draws without a card says of itself. */
 const isOfTheCard = (text: string): boolean => /GPU stall due to ReadPixels|GL Driver Message/.test(text)
 
@@ -58,6 +64,8 @@ export async function settled(page: Page): Promise<void> {
 
 /** The figures are there, which come after the numbers. */
 export async function withFigures(page: Page): Promise<void> {
+  // each is drawn when it comes into sight
+  await page.locator('#figures figure').first().scrollIntoViewIfNeeded()
   await page.locator('#figures figure svg').first().waitFor()
 }
 
