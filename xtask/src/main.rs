@@ -32,7 +32,7 @@ fn main() -> ExitCode {
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
         ["authorities"] => authorities::run(),
-        ["python"] => python::run(),
+        ["python"] => python::run("wheel"),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;

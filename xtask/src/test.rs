@@ -20,7 +20,7 @@ pub(crate) fn run() -> Outcome {
     }
     step("release build", &mut cargo(["build", "--release"]))?;
     run_and_hear("main job", &mut cargo(MAIN_JOB))?;
-    python::run()?;
+    python::run("dev")?;
     println!("\nxtask: every step passed");
     Ok(())
 }
