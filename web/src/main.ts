@@ -107,6 +107,7 @@ const solve = latest<{ state: State; of: string }>(async ({ state, of }) => {
 /** The first numbers, or the first refusal, are on show. */
 function ready(): void {
   document.body.dataset['ready'] = 'yes'
+  document.body.dataset['first'] ??= performance.now().toFixed(0) // ms since the page was asked for
   numbersShown()
 }
 
