@@ -105,17 +105,24 @@ pub(crate) fn read_construction(arguments: &ArgMatches) -> Result<Input<Construc
     }
 }
 
-/// Data as they were written, each by its flag.
-pub(crate) type Written = Vec<(&'static str, String)>;
-
-/// What a file says of a ply, datum by datum as flags have it, and whether it also says what changes.
+/// What a file says of a ply.
 #[cfg(feature = "explore")]
-pub(crate) fn read_written(path: &str) -> Result<(Written, bool), Failure> {
+#[derive(Default)]
+pub(crate) struct Written {
+    /// datum by datum: the flag and what is written
+    pub(crate) data: Vec<(&'static str, String)>,
+    /// whether it also says what changes
+    pub(crate) is_study: bool,
+}
+
+/// Reads a file as it is written.
+#[cfg(feature = "explore")]
+pub(crate) fn read_written(path: &str) -> Result<Written, Failure> {
     let (name, bytes) = contents(path)?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let spec = Spec::from_bytes(name, &bytes).and_then(|spec| Ok((Spec::written(name, &text)?, spec.is_study())));
     let (written, is_study) = spec.map_err(|error| Failure::Refused(error, text))?;
-    Ok((written.into_iter().map(|(key, text)| (key.flag, text)).collect(), is_study))
+    Ok(Written { data: written.into_iter().map(|(key, text)| (key.flag, text)).collect(), is_study })
 }
 
 /// A file's name for messages, and what is in it.

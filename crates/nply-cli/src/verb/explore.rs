@@ -91,7 +91,7 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         move || stop.now()
     });
 
-    let (data, is_study) = ply.unwrap_or_default();
+    let input::Written { data, is_study } = ply.unwrap_or_default();
     let page = format!("http://{}/{}", reached(listening), link(&data));
     output::write(&format!("{page}\n"))?;
     if is_study {
