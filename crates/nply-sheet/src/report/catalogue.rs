@@ -92,10 +92,10 @@ pub(crate) enum Find {
 const LIMITS: [(&str, &str, Change, bool); 10] = [
     ("margin_force_below", "margin_force_below_cause", Change::Force, true),
     ("margin_force_above", "margin_force_above_cause", Change::Force, false),
-    ("margin_force_ends_held_below", "margin_force_ends_held_below_cause", Change::ForceEndsHeld, true),
-    ("margin_force_ends_held_above", "margin_force_ends_held_above_cause", Change::ForceEndsHeld, false),
     ("margin_moment_below", "margin_moment_below_cause", Change::Moment, true),
     ("margin_moment_above", "margin_moment_above_cause", Change::Moment, false),
+    ("margin_force_ends_held_below", "margin_force_ends_held_below_cause", Change::ForceEndsHeld, true),
+    ("margin_force_ends_held_above", "margin_force_ends_held_above_cause", Change::ForceEndsHeld, false),
     ("margin_turns_below", "margin_turns_below_cause", Change::Turns, true),
     ("margin_turns_above", "margin_turns_above_cause", Change::Turns, false),
     ("margin_pretwist_below", "margin_pretwist_below_cause", Change::Pretwist, true),
