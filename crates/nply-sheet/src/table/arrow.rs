@@ -1,6 +1,6 @@
 //! Columns as Arrow has them, for doors that hand tables on.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -19,7 +19,7 @@ use bytes::Bytes;
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
 use parquet::arrow::arrow_writer::{ArrowColumnChunk, ArrowRowGroupWriterFactory, compute_leaves};
-use parquet::basic::Compression;
+use parquet::basic::{Compression, Encoding as Packing};
 use parquet::column::writer::ColumnCloseResult;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::{
@@ -28,7 +28,7 @@ use parquet::file::metadata::{
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{ChunkReader, Length};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::SchemaDescriptor;
+use parquet::schema::types::{ColumnPath, SchemaDescriptor};
 
 use super::block::Counted;
 use super::parquet::refused;
@@ -39,17 +39,21 @@ use super::{Column, Kind, Mark, TableError, Values};
 pub(super) struct Encoding {
     pub(super) schema: SchemaRef,
     bare: SchemaRef,
-    factory: Arc<ArrowRowGroupWriterFactory>,
+    /// for columns whose numbers repeat, and for those whose numbers do not
+    factories: [Arc<ArrowRowGroupWriterFactory>; 2],
     descriptor: Arc<SchemaDescriptor>,
 }
 
 impl Encoding {
     pub(super) fn new(columns: &[Column], metadata: &[(String, String)]) -> Result<Self, TableError> {
         let bare = schema(columns, &[]);
-        let writer = ArrowWriter::try_new(io::sink(), bare.clone(), Some(properties(&[]))).map_err(refused)?;
-        let (writer, factory) = writer.into_serialized_writer().map_err(refused)?;
-        let descriptor = Arc::new(writer.schema_descr().clone());
-        Ok(Self { schema: schema(columns, metadata), bare, factory: Arc::new(factory), descriptor })
+        let factory = |properties: WriterProperties| {
+            let writer = ArrowWriter::try_new(io::sink(), bare.clone(), Some(properties)).map_err(refused)?;
+            let (writer, factory) = writer.into_serialized_writer().map_err(refused)?;
+            Ok::<_, TableError>((Arc::new(factory), Arc::new(writer.schema_descr().clone())))
+        };
+        let ((repeating, descriptor), (plain, _)) = (factory(properties(&[]))?, factory(plain_properties(columns))?);
+        Ok(Self { schema: schema(columns, metadata), bare, factories: [repeating, plain], descriptor })
     }
 
     pub(super) fn batch(&self, chunk: &[Values]) -> Result<RecordBatch, TableError> {
@@ -58,14 +62,17 @@ impl Encoding {
 
     /// Every column of a row group, encoded.
     pub(super) fn columns(&self, chunk: &[Values]) -> Result<Vec<ArrowColumnChunk>, TableError> {
-        let mut writers = self.factory.create_column_writers(0).map_err(refused)?.into_iter();
+        let [repeating, plain] = &self.factories;
+        let repeating = repeating.create_column_writers(0).map_err(refused)?;
+        let plain = plain.create_column_writers(0).map_err(refused)?;
         let mut done = Vec::with_capacity(chunk.len());
-        for (field, values) in self.bare.fields().iter().zip(chunk) {
+        // every column is one leaf
+        for ((field, values), writers) in self.bare.fields().iter().zip(chunk).zip(repeating.into_iter().zip(plain)) {
+            let mut writer = if repeats(values) { writers.0 } else { writers.1 };
             for leaf in compute_leaves(field, &array(values)).map_err(refused)? {
-                let Some(mut writer) = writers.next() else { break };
                 writer.write(&leaf).map_err(refused)?;
-                done.push(writer.close().map_err(refused)?);
             }
+            done.push(writer.close().map_err(refused)?);
         }
         self.as_read(&mut done)?;
         Ok(done)
@@ -98,6 +105,35 @@ fn properties(metadata: &[(String, String)]) -> WriterProperties {
         .set_max_row_group_row_count(None)
         .set_key_value_metadata(Some(pairs))
         .build()
+}
+
+/// The same for numbers that do not repeat: a dictionary of them would be as long as they are, and take most of the time.
+fn plain_properties(columns: &[Column]) -> WriterProperties {
+    let whole = columns.iter().filter(|column| column.kind == Kind::Integer);
+    whole
+        .fold(properties(&[]).into_builder().set_dictionary_enabled(false), |properties, column| {
+            let path = ColumnPath::from(vec![column.name.clone()]);
+            properties.set_column_encoding(path, Packing::DELTA_BINARY_PACKED)
+        })
+        .build()
+}
+
+/// Whether numbers repeat, as far as a look at some of them tells; texts and truth values always do.
+fn repeats(values: &Values) -> bool {
+    const LOOKS: usize = 256;
+    let bits: Vec<u64> = {
+        let places = (0..values.len()).step_by((values.len() / LOOKS).max(1)).take(LOOKS);
+        match values {
+            Values::Dense(cells) => places.map(|at| cells[at].to_bits()).collect(),
+            Values::Counts(cells) => places.map(|at| cells[at].cast_unsigned()).collect(),
+            Values::Float(cells) => places.filter_map(|at| cells[at].map(f64::to_bits)).collect(),
+            Values::Integer(cells) => places.filter_map(|at| cells[at].map(i64::cast_unsigned)).collect(),
+            _ => return true,
+        }
+    };
+    let looks = bits.len();
+    let distinct: BTreeSet<u64> = bits.into_iter().collect();
+    2 * distinct.len() <= looks
 }
 
 pub(super) fn parquet<W: Write + Send>(
