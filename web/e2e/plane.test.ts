@@ -107,8 +107,12 @@ test('the state of now is marked on every figure, and moves with it', async () =
         const svg = page.locator(`#${id} svg`)
         await page.locator(`#${id}`).scrollIntoViewIfNeeded()
         await svg.waitFor()
-        const [mark, frame] = [await page.locator(`#${id} svg g[aria-label=dot] circle`).last().boundingBox(), await svg.boundingBox()]
-        expect(mark!.x > frame!.x && mark!.x < frame!.x + frame!.width && mark!.y > frame!.y && mark!.y < frame!.y + frame!.height, id).toBe(true)
+        // a figure that comes into sight is drawn anew: what was asked for a moment ago may be gone
+        const inside = async (): Promise<boolean> => {
+          const [mark, frame] = [await page.locator(`#${id} svg g[aria-label=dot] circle`).last().boundingBox(), await svg.boundingBox()]
+          return !!mark && !!frame && mark.x > frame.x && mark.x < frame.x + frame.width && mark.y > frame.y && mark.y < frame.y + frame.height
+        }
+        await expect.poll(inside, { message: id, timeout: 10_000 }).toBe(true)
         found[id] = (await page.locator(`#${id} .plot-place`).getAttribute('aria-label')) ?? ''
       }
       return found

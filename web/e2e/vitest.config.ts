@@ -8,5 +8,7 @@ export default defineConfig({
     testTimeout: 300_000,
     hookTimeout: 60_000,
     fileParallelism: false,
+    // a browser without a graphics card on a busy machine now and then answers too late; what is wrong is wrong three times
+    retry: 2,
   },
 })
