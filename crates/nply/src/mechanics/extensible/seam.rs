@@ -36,8 +36,8 @@ pub(super) fn places(reduced: &Reduced<'_>) -> Vec<(HelicalAngle, f64)> {
 struct Stretch {
     from: f64,
     to: f64,
-    /// the strain runs from one bound at `from` to the other at `to`
-    through: Option<(f64, f64)>,
+    /// whether the strain runs from one bound to the other
+    through: bool,
 }
 
 /// The seam at one strain, over the angle.
@@ -55,24 +55,24 @@ impl Basis<1> for AtStrain<'_> {
 
 /// At one angle the seam has one strain, since both radii are linear in it: it is within bounds where the seam's function has two signs there.
 fn stretches(ply: &ExtensiblePly) -> Vec<Stretch> {
-    let mut crossings: Vec<(f64, f64)> = Vec::new();
+    // angles at which the seam has the least or the most strain, and which of the two
+    let mut crossings: Vec<(f64, bool)> = Vec::new();
     let mut inside = false;
-    for strain in [LEAST_STRAIN, MOST_STRAIN] {
+    for (strain, most) in [(LEAST_STRAIN, false), (MOST_STRAIN, true)] {
         let at = AtStrain { ply, strain };
         inside ^= at.at(0.0)[0].value > 0.0;
         for (from, to) in [(0.0, FRAC_PI_4), (FRAC_PI_4, FRAC_PI_2)] {
-            isolate(&at, from, to, &mut |angle| crossings.push((angle, strain)));
+            isolate(&at, from, to, &mut |angle| crossings.push((angle, most)));
         }
     }
     crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut list = Vec::new();
     let mut entered = inside.then_some((0.0, None));
-    for (angle, strain) in crossings {
+    for (angle, most) in crossings {
         entered = match entered {
-            None => Some((angle, Some(strain))),
+            None => Some((angle, Some(most))),
             Some((from, at)) => {
-                let through = at.filter(|at| (at - strain).abs() > 1.0).map(|at| (at, strain));
-                list.push(Stretch { from, to: angle, through });
+                list.push(Stretch { from, to: angle, through: at == Some(!most) });
                 None
             }
         };
@@ -87,20 +87,20 @@ struct Along<'r> {
 }
 
 impl Along<'_> {
-    fn by_strain(&self) -> Option<(f64, f64)> {
-        self.stretch.through.filter(|_| self.stretch.to - self.stretch.from < NARROW)
+    fn by_strain(&self) -> bool {
+        self.stretch.through && self.stretch.to - self.stretch.from < NARROW
     }
 
     fn ends(&self) -> (f64, f64) {
         let Stretch { from, to, .. } = self.stretch;
-        self.by_strain().map_or((from, to), |(a, b)| (1.0 + a.min(b), 1.0 + a.max(b)))
+        if self.by_strain() { (1.0 + LEAST_STRAIN, 1.0 + MOST_STRAIN) } else { (from, to) }
     }
 
     /// Angle and strain, whichever is followed.
     fn place(&self, at: f64) -> (f64, f64) {
         let ply = self.reduced.ply;
         let Stretch { from, to, .. } = self.stretch;
-        if self.by_strain().is_none() {
+        if !self.by_strain() {
             let seam = obstacle::seam(ply, HelicalAngle::steep(at), 0.0);
             return (at, -seam.value / seam.b);
         }
@@ -119,7 +119,7 @@ impl Basis<1> for Along<'_> {
         let angle = HelicalAngle::steep(theta);
         let seam = obstacle::seam(self.reduced.ply, angle, strain);
         let [value, by_angle, by_strain] = rest(self.reduced, angle, strain);
-        let slope = if self.by_strain().is_some() {
+        let slope = if self.by_strain() {
             by_strain - by_angle * seam.b / seam.a
         } else {
             by_angle - by_strain * seam.a / seam.b
@@ -174,9 +174,10 @@ fn settle(reduced: &Reduced<'_>, theta: f64, strain: f64) -> Option<(HelicalAngl
         let determinant = g.a * second[2] - g.b * second[1];
         let dt = (g.value * second[2] - g.b * second[0]) / determinant;
         let de = (g.a * second[0] - g.value * second[1]) / determinant;
-        let near = (t - dt - theta).abs() < NARROW && (e - de - strain).abs() < 1e-3;
+        // both known to 1e-10 or better; a step that leads away is one at a fold, where two places are one to rounding
+        let near = (t - dt - theta).abs() < NARROW && (e - de - strain).abs() < NARROW;
         if !near {
-            break; // at a fold two places are one to rounding
+            break;
         }
         (t, e) = (t - dt, e - de);
         if dt.abs() < 1e-15 && de.abs() < 1e-15 {
