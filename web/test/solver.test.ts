@@ -8,7 +8,7 @@ import { toToml } from '../src/document.ts'
 import { doors } from '../src/solver/doors.ts'
 import type { Answer, Refused } from '../src/solver/messages.ts'
 import type { Data } from '../src/state.ts'
-import { contact_diagram, locus, read, solve, walk } from '../src/wasm/nply_wasm.js'
+import { contact_diagram, locus, read, report, solve, walk } from '../src/wasm/nply_wasm.js'
 import { documents, solver, table, text } from './setup.ts'
 
 let keys: ReturnType<typeof solver>['keys']
@@ -33,6 +33,20 @@ test('balanced plies are those of the golden table, in both balances', () => {
     expect(Math.abs(signedAngle(state) / angle - 1)).toBeLessThan(1e-12)
     expect(Math.abs(state.radius_ratio / Number(row['rho']) - 1)).toBeLessThan(1e-12)
     expect(Math.abs(state.interstrand_pressure - Number(row['p1_r3_over_B']))).toBeLessThan(1e-12 * Math.max(1, Math.abs(Number(row['p1_r3_over_B']))))
+  }
+})
+
+test('every shared case that is solved has the answer of the command, byte for byte', () => {
+  const { cases } = JSON.parse(text('tests/cases/list.json')) as {
+    cases: { name: string; verb: string; document?: string; arguments: Data }[]
+  }
+  const solved = cases.filter(({ verb }) => verb === 'solve')
+  expect(solved.length).toBeGreaterThan(5)
+  for (const { name, document, arguments: given } of solved) {
+    const opened = document ? doors.open({ name: document, text: text(document) }) : { data: {} }
+    if ('error' in opened) throw new Error(opened.error.sentence)
+    const said = JSON.parse(report(document ?? name, toToml({ ...opened.data, ...given }, keys), 'json')) as { text: string }
+    expect(said.text.trimEnd(), name).toBe(text(`tests/cases/${name}.json`).trimEnd())
   }
 })
 
