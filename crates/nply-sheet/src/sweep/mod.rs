@@ -8,6 +8,7 @@ mod arrow;
 mod ask;
 mod fast;
 mod follow;
+mod places;
 mod plan;
 mod run;
 mod sample;
@@ -23,6 +24,7 @@ use crate::report::StateKind;
 use crate::spec::Spec;
 use crate::table::{Column, Values};
 use crate::{ErrorKind, Place, SpecError, Unit, quoted};
+use places::{Exact, Places};
 use plan::{GivenKey, Plan};
 use run::Run;
 use sample::Points;
@@ -569,74 +571,6 @@ fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
         }
     }
 }
-
-/// A range of 64 bits that knows its length.
-struct Exact(core::ops::Range<u64>);
-
-impl Exact {
-    const fn of(range: core::ops::Range<u64>) -> Self {
-        Self(range)
-    }
-}
-
-impl Iterator for Exact {
-    type Item = u64;
-
-    #[inline]
-    fn next(&mut self) -> Option<u64> {
-        self.0.next()
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let length = (self.0.end - self.0.start) as usize;
-        (length, Some(length))
-    }
-}
-
-impl ExactSizeIterator for Exact {}
-
-/// The places of one datum over rows of a grid: each stays for `stride` rows.
-struct Places {
-    place: u64,
-    stays: u64,
-    stride: u64,
-    count: u64,
-    left: u64,
-}
-
-impl Places {
-    const fn new(rows: core::ops::Range<u64>, stride: u64, count: u64) -> Self {
-        Self {
-            place: rows.start / stride % count,
-            stays: stride - rows.start % stride,
-            stride,
-            count,
-            left: rows.end - rows.start,
-        }
-    }
-}
-
-impl Iterator for Places {
-    type Item = u64;
-
-    #[inline]
-    fn next(&mut self) -> Option<u64> {
-        self.left = self.left.checked_sub(1)?;
-        let here = self.place;
-        self.stays -= 1;
-        if self.stays == 0 {
-            self.stays = self.stride;
-            self.place = if here + 1 == self.count { 0 } else { here + 1 };
-        }
-        Some(here)
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        (self.left as usize, Some(self.left as usize))
-    }
-}
-
-impl ExactSizeIterator for Places {}
 
 fn refused(kind: ErrorKind, flag: &str, message: impl Into<String>) -> SpecError {
     SpecError::new(kind, Place::Flag(flag.to_owned()), message)
