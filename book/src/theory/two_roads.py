@@ -57,4 +57,4 @@ if __name__ == "__main__":
         "forces, those of crossing contacts left out": lambda t: unbalance(t, 0),
     }
     for name, road in roads.items():
-        print(f"{name:45}{degrees(bisect(road, radians(20), radians(36))):8.4f} deg")
+        print(f"{name:45}{degrees(bisect(road, radians(1), radians(44))):8.4f} deg")
