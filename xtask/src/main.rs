@@ -25,7 +25,8 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|validate [--json]|authorities>";
+const USAGE: &str =
+    "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|validate [--json]|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

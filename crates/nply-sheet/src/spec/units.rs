@@ -11,6 +11,8 @@ impl PreferredUnits {
             matches!(
                 entry.key.datum,
                 Datum::StrandLength
+                    | Datum::AxialStiffness
+                    | Datum::SupportCoreAxialStiffness
                     | Datum::PlyLength
                     | Datum::BendingPersistenceLength
                     | Datum::TwistPersistenceLength
