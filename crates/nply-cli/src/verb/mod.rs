@@ -20,6 +20,7 @@ mod page;
 mod plot;
 mod preset;
 mod render;
+mod schema;
 mod solve;
 mod spin;
 mod stiffness;
@@ -72,6 +73,7 @@ static VERBS: &[&Verb] = &[
     &figure::VERB,
     #[cfg(feature = "explore")]
     &explore::VERB,
+    &schema::VERB,
     &completions::VERB,
     &man::VERB,
 ];
