@@ -95,7 +95,7 @@ const FLOORS: [&[&str]; 9] = [
     &["report"],
     &["map", "mesh", "preset", "regression", "sweep"],
     &["graph", "render"],
-    &["figure"],
+    &["figure", "schema"],
 ];
 
 /// What of the crate a text names, each by its first word: `crate::report::Known` and `crate::{Case, report::Known}` name `report`.

@@ -31,6 +31,7 @@ pub(crate) use check::GivenLayer;
 pub use fit::Fit;
 pub use material::{MATERIALS, Material};
 pub use written::ConstructionSpec;
+pub(crate) use written::{DEEPEST, MOST_LAYERS};
 
 pub use crate::key::CONSTRUCTION_KEYS;
 use crate::{PreferredUnits, SpecError};
