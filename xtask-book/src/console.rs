@@ -114,7 +114,9 @@ pub(crate) fn expand(
             None => said,
         };
         if !shown.trim().is_empty() {
-            page.push_str(&fenced("text", shown.trim_start_matches('\n')));
+            // a refusal is a sentence, what is no refusal a table
+            let info = if wish.exit == 0 { "text" } else { "text,refusal" };
+            page.push_str(&fenced(info, shown.trim_start_matches('\n')));
             page.push('\n');
         }
         for name in &placed.writes {

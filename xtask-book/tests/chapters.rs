@@ -94,9 +94,10 @@ fn the_summary_lists_what_is_there_or_awaited() {
 #[test]
 fn every_equation_can_be_typeset() {
     let latex = Equations::read(&root()).unwrap().latex().unwrap();
-    if let Some(katex) = Katex::installed(&root()) {
-        for (file, latex) in latex {
-            katex.set(&[(latex, true)].into()).map_err(|why| format!("{file}: {why}")).unwrap();
-        }
+    let Some(katex) = Katex::installed(&root()) else { return };
+    let all = latex.iter().map(|(_, latex)| (latex.clone(), true)).collect();
+    if let Err(why) = katex.set(&all) {
+        let file = latex.iter().find(|(_, latex)| why.contains(&format!("`{latex}`")));
+        panic!("{}: {why}", file.map_or("", |(file, _)| file));
     }
 }
