@@ -41,7 +41,7 @@ fn angle(i: usize) -> f64 {
 
 /// Seconds an item of each of many pieces of work.
 fn pieces(items: usize, mut work: impl FnMut()) -> Vec<f64> {
-    const PIECES: usize = 60;
+    const PIECES: usize = 300;
     work(); // once to warm up
     let timed = |_| {
         let start = Instant::now();
