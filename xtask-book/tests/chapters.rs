@@ -11,31 +11,6 @@ const AWAITED: [&str; 3] = [
     "reference/rust.md",
     "evidence/hardening.md",
 ];
-const AWAITED: [&str; 23] = [
-    "theory/balance.md",
-    "theory/pretwist.md",
-    "theory/loads.md",
-    "theory/stiffness.md",
-    "theory/link.md",
-    "theory/stretch.md",
-    "theory/differences.md",
-    "theory/limits.md",
-    "jobs/strand-designer.md",
-    "jobs/finite-element.md",
-    "jobs/rope-and-mooring.md",
-    "jobs/textile.md",
-    "jobs/spinner.md",
-    "jobs/actuator.md",
-    "jobs/coiled-coils.md",
-    "jobs/dna-and-collagen.md",
-    "jobs/teacher.md",
-    "jobs/rod-mechanician.md",
-    "reference/commands.md",
-    "reference/documents.md",
-    "reference/python.md",
-    "reference/rust.md",
-    "evidence/hardening.md",
-];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
