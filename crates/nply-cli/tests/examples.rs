@@ -58,7 +58,22 @@ fn every_example_is_answered_and_names_its_source() {
             );
         }
     }
-    assert_eq!(count, 15, "an example without a test of its own");
+    assert_eq!(count, 16, "an example without a test of its own");
+}
+
+/// Each example of a job is answered by the command it names, and says where its numbers are from.
+#[test]
+fn every_example_of_a_job_runs() {
+    let mut count = 0;
+    for entry in fs::read_dir(root().join("examples/jobs")).unwrap() {
+        let text = fs::read_to_string(entry.unwrap().path()).unwrap();
+        let comment: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).collect();
+        assert!(comment.iter().any(|line| line.starts_with(" Source: ")), "{text}");
+        let command = comment.iter().find_map(|line| line.trim().strip_prefix("nply ")).expect("its command");
+        out(&command.split_whitespace().collect::<Vec<_>>());
+        count += 1;
+    }
+    assert_eq!(count, 3, "an example that no chapter shows");
 }
 
 /// Lay of 8.5 nm, chain radius 0.2582 nm: 2πρ/tan θ = 8.5/0.2582.
