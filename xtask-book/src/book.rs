@@ -11,7 +11,7 @@ use crate::equation::Equations;
 use crate::fence::{Piece, indented, pieces};
 use crate::prose::{Part, parts};
 use crate::site::Site;
-use crate::{Failure, Summary, console, figure, include, links, math, program, value};
+use crate::{Failure, Summary, console, figure, include, links, made, math, program, value};
 
 /// How many chapters are expanded at a time, and so how many commands run.
 const AT_A_TIME: usize = 2;
@@ -152,8 +152,9 @@ impl Desk<'_> {
             "equations" => self.equations.all(),
             "figure" => figure::expand(wish, chapter, self.site, self.runner),
             "program" => program::expand(wish, self.site, self.runner),
+            "made" => made::expand(wish, self.site, self.runner),
             "include" => include::expand(wish, self.site),
-            _ => Err("there are equation, equations, value, figure, program and include".to_owned()),
+            _ => Err("there are equation, equations, value, figure, program, made and include".to_owned()),
         }
     }
 }

@@ -13,6 +13,7 @@ mod figure;
 mod include;
 mod katex;
 mod links;
+mod made;
 mod math;
 mod picture;
 mod program;

@@ -7,6 +7,7 @@
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
 //!     cargo xtask figures       draws the figures of docs/figures anew
+//!     cargo xtask validate      every published number beside ours, as Markdown; --json as JSON
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
 
 mod authorities;
@@ -18,12 +19,14 @@ mod python;
 mod soak;
 mod step;
 mod test;
+mod validate;
 mod venv;
 mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|authorities>";
+const USAGE: &str =
+    "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|validate [--json]|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -35,6 +38,8 @@ fn main() -> ExitCode {
         ["book"] => book::run(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
+        ["validate"] => validate::run(&[]),
+        ["validate", "--json"] => validate::run(&["--json"]),
         ["authorities"] => authorities::run(),
         ["python"] => python::run("wheel"),
         ["help" | "--help" | "-h"] => {
