@@ -35,6 +35,23 @@ impl Table {
     pub const ALL: [Self; 8] =
         [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Formed, Self::Load, Self::Ends, Self::Support];
 
+    /// What stands in it, on one line.
+    pub(crate) const fn about(self) -> &'static str {
+        match self {
+            Self::Ply => "The ply: number of strands, balance, hand",
+            Self::Strand => "Size and stiffness of a strand",
+            Self::Twist => "The twist put into the strands: one of these",
+            Self::Lay => "The shape of the ply, where it is given and not asked for: one of these",
+            Self::Formed => "The lay in which a ply of strands that stretch was made",
+            Self::Load => "What pulls and turns it",
+            Self::Ends => "How the ends are held, where a displacement is given instead of a load",
+            Self::Support => "A core that the strands may lie on or lift off from",
+            Self::Construction => "The layered strand as a whole",
+            Self::Core => "The king wire, or whatever the first layer lies on",
+            Self::Layer => "Wires alike, laid side by side",
+        }
+    }
+
     /// The name between the brackets.
     #[must_use]
     pub const fn name(self) -> &'static str {

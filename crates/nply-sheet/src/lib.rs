@@ -30,6 +30,7 @@ mod quantity;
 pub mod regression;
 pub mod render;
 mod report;
+pub mod schema;
 mod solve;
 mod spec;
 mod study;

@@ -33,6 +33,7 @@ pub use fit::Fit;
 pub use key::CONSTRUCTION_KEYS;
 pub use material::{MATERIALS, Material};
 pub use written::ConstructionSpec;
+pub(crate) use written::{DEEPEST, MOST_LAYERS};
 
 use crate::{PreferredUnits, SpecError};
 

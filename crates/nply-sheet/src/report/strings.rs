@@ -39,7 +39,7 @@ pub struct StringsReport {
 
 /// One position of the motor. Lengths in r, forces in N, moments in N r.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Step {
+pub(super) struct Step {
     limp: TwistedStrings,
     /// L/r
     length: f64,
@@ -71,7 +71,7 @@ impl Step {
     }
 }
 
-const STEP: &[Item<Step>] = {
+pub(super) const STEP: &[Item<Step>] = {
     use Measure::{Degrees, Force, Length, Moment, Percent, Turns};
     &[
         item("", "motor_turns", "motor", Turns, |s| Some(s.rotation() * s.length / TAU)),

@@ -7,6 +7,8 @@ mod written;
 use nply::Handedness;
 use nply::mechanics::Balance;
 
+pub(crate) use file::MAP_KEYS;
+
 use crate::key::{Group, nearest};
 use crate::sweep::SweepSpec;
 use crate::{
@@ -80,7 +82,7 @@ pub struct Spec {
 }
 
 /// The most legs of a path.
-const MOST_LEGS: usize = 1000;
+pub(crate) const MOST_LEGS: usize = 1000;
 
 /// `[map]`: the corners of a rectangle of data, and how finely it is divided.
 #[derive(Clone, Debug, PartialEq)]

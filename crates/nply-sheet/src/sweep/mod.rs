@@ -18,7 +18,7 @@ mod written;
 pub use follow::Trail;
 pub use sample::Sample;
 pub use written::SweepFlags;
-pub(crate) use written::SweepSpec;
+pub(crate) use written::{SWEEP_KEYS, SweepSpec};
 
 use crate::report::StateKind;
 use crate::spec::Spec;
@@ -75,6 +75,9 @@ fn chosen<T: Copy>(written: &str, place: &Place, known: &[(&str, T)]) -> Result<
 }
 
 impl States {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::All, Self::Stable, Self::Continued];
+
     /// The name in files and flags.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -86,11 +89,14 @@ impl States {
     }
 
     fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &[Self::All, Self::Stable, Self::Continued].map(|states| (states.name(), states)))
+        chosen(written, place, &Self::ALL.map(|states| (states.name(), states)))
     }
 }
 
 impl Order {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Grid, Self::Zip];
+
     /// The name in files and flags.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -101,11 +107,14 @@ impl Order {
     }
 
     fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &[Self::Grid, Self::Zip].map(|order| (order.name(), order)))
+        chosen(written, place, &Self::ALL.map(|order| (order.name(), order)))
     }
 }
 
 impl Question {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Contact, Self::States, Self::Supports];
+
     /// The name in files and flags.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -117,8 +126,7 @@ impl Question {
     }
 
     fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        let all = [Self::Contact, Self::States, Self::Supports];
-        chosen(written, place, &all.map(|question| (question.name(), question)))
+        chosen(written, place, &Self::ALL.map(|question| (question.name(), question)))
     }
 }
 

@@ -60,6 +60,24 @@ pub struct SweepFlags {
     pub question: Option<String>,
 }
 
+/// The keys of `[sweep]` besides what varies, and what they mean.
+pub(crate) const SWEEP_KEYS: [(&str, &str); 8] = [
+    (
+        "outputs",
+        "What is asked: columns of `nply solve`, `nply support` or `nply contact`, with a unit behind the name if it is to be written in it",
+    ),
+    ("states", "Which states a row has: all, the stable ones, or the one continued from the row before; all if absent"),
+    ("order", "Each value with each (grid), or the first with the first (zip); grid if absent"),
+    ("sample", "How points are spread over the ranges, instead of a grid"),
+    ("points", "How many points a sample has"),
+    ("seed", "What tells one sample from another; 0 if absent"),
+    (
+        "question",
+        "What is found in every row: the contact of a lay, the states, or what supports them; by what is given, if absent",
+    ),
+    ("rows", "A file (CSV or Parquet) whose rows are the data"),
+];
+
 type Placed<'p> = &'p dyn Fn(Range<usize>) -> Place;
 
 impl SweepSpec {
@@ -119,7 +137,7 @@ impl SweepSpec {
                 "points" => sweep.points = Some((whole().ok_or_else(|| wrong("a whole number, such as 1000"))?, at())),
                 "seed" => sweep.seed = Some((whole().ok_or_else(|| wrong("a whole number, such as 1"))?, at())),
                 _ => {
-                    let own = ["outputs", "states", "order", "sample", "points", "seed", "question", "rows"];
+                    let own = SWEEP_KEYS.map(|(name, _)| name);
                     let known = own.into_iter().chain(Table::ALL.into_iter().map(Table::name));
                     let help = nearest(written, known).map(|name| format!("did you mean `{name}`?"));
                     let message = format!(
