@@ -32,7 +32,7 @@ fn build(command: PathBuf, python: Option<PathBuf>) -> Result<(), String> {
     let out = out.canonicalize().map(|out| out.join("book")).map_err(|error| error.to_string())?;
     let made = out.join("made");
     emptied(&made)?;
-    let site = Site::here(made, command, python);
+    let site = Site::here(made, out.join("kept"), command, python);
     let katex = Katex::installed(&site.root).ok_or("KaTeX is not installed: `npm ci` in book/")?;
 
     let start = Instant::now();

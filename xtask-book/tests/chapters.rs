@@ -42,7 +42,8 @@ fn every_chapter_can_be_expanded() {
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("made");
     let _ = std::fs::remove_dir_all(&made);
     let only = std::env::var("CHAPTER").unwrap_or_default();
-    let site = Site::here(made, command(), python());
+    let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("book").join("kept");
+    let site = Site::here(made, kept, command(), python());
     if site.python.is_none() {
         println!("LEFT OUT: programs in Python, for .venv has no nply (`cargo xtask python`)");
     }
