@@ -36,7 +36,7 @@ mod tests {
 
     #[test]
     fn a_section_ends_where_the_next_begins() {
-        let site = Site::here(PathBuf::new(), PathBuf::new(), None);
+        let site = Site::here(PathBuf::new(), PathBuf::new(), PathBuf::new(), None);
         let page = expand("docs/symbols.md", &site).unwrap();
         assert!(page.contains("## Geometry") && !page.contains("# Symbols"));
         let section = expand("docs/symbols.md | Geometry", &site).unwrap();
