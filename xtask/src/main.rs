@@ -2,6 +2,8 @@
 //!
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
+//!     cargo xtask kill 100      studies killed and interrupted a hundred times, and gone on with to the same bytes
+//!     cargo xtask hostile       inputs of gigabytes, refused or streamed in bounded memory
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
@@ -11,6 +13,8 @@
 mod authorities;
 mod bench;
 mod figures;
+mod hostile;
+mod kill;
 mod python;
 mod soak;
 mod step;
@@ -20,7 +24,8 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
+const USAGE: &str =
+    "usage: cargo xtask <test|soak [rounds]|kill [times [seed]]|hostile|web|python|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -28,6 +33,10 @@ fn main() -> ExitCode {
         ["test"] => test::run(),
         ["soak"] => soak::run("10"),
         ["soak", rounds] => soak::run(rounds),
+        ["kill"] => kill::run("100", "1"),
+        ["kill", times] => kill::run(times, "1"),
+        ["kill", times, seed] => kill::run(times, seed),
+        ["hostile"] => hostile::run(),
         ["web"] => web::build(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
