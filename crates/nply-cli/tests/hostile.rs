@@ -320,7 +320,7 @@ fn facets_and_lengths_are_refused_by_their_own_names() {
         refused(&[&["mesh", "--strands", "3", "--helical-angle", "20 deg", "--format", "obj"], more].concat())
     };
     for (arguments, code, wanted) in [
-        (&["--facets", "2"][..], 2, "2 is not in 3..=100000"),
+        (&["--facets", "2"][..], 1, "--facets: 2 facets round a strand make no body: at least 3 do"),
         (
             &["--chord-error", "1e-300"],
             1,

@@ -216,7 +216,7 @@ fn given_rows_are_answered_in_their_order() {
     let again = call(&of_rows("radius_ratio"));
     assert_eq!((again.code, again.err.contains("reason of ")), (0, true), "{}", again.err);
     let lines: Vec<&str> = again.out.lines().collect();
-    assert_eq!((lines[0], lines.len()), ("row,strands,lay_length,arclength_shift,radius_ratio,reason", 61));
+    assert_eq!((lines[0], lines.len()), ("row,strands,lay_length_mm,arclength_shift,radius_ratio,reason", 61));
     let twice = call(&of_rows("arclength_shift"));
     assert_eq!((twice.code, twice.err.contains("would stand in the table twice")), (2, true), "{}", twice.err);
 }

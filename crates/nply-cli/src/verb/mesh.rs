@@ -96,13 +96,7 @@ fn arguments(command: Command) -> Command {
                 "How far triangles may lie off the surface: a length, or a bare share of the strand radius (0.01)",
             ),
         )
-        .arg(
-            Arg::new("facets")
-                .long("facets")
-                .value_name("N")
-                .value_parser(value_parser!(u32).range(3..=FACETS))
-                .help("Facets round a strand, 3 or more, instead of a chord error"),
-        )
+        .arg(count("facets", "Facets round a strand, 3 or more, instead of a chord error", FACETS))
         .arg(count("segments", "Segments per lay length, instead of a chord error", FACETS))
         .arg(
             Arg::new("fit")

@@ -97,6 +97,10 @@ impl<'a> Surface<'a> {
             Some(text) => positive_length("chord-error", text, ply.strand_radius, true)?,
             None => CHORD_ERROR,
         };
+        if let Some(around @ ..3) = fineness.around {
+            let message = format!("{around} facets round a strand make no body: at least 3 do");
+            return Err(flag("facets", ErrorKind::Domain, message));
+        }
         let refused = |error: nply::DomainError| {
             let name = match error.quantity {
                 "facets" => return too_fine_or_coarse(&fineness, &error),
