@@ -2,13 +2,25 @@
 #![no_main]
 
 use std::io::Cursor;
+use std::sync::Once;
 
 use libfuzzer_sys::fuzz_target;
 use nply_sheet::Spec;
 use nply_sheet::sweep::{Study, SweepFlags};
-use nply_sheet::table::{BlockFile, Column, Encoder, Format, Kind, Mark, TableReader};
+use nply_sheet::table::{BlockFile, Column, Encoder, Format, Kind, Mark, TableReader, panic_is_caught};
+
+static HOOK: Once = Once::new();
 
 fuzz_target!(|bytes: &[u8]| {
+    // what the library of Parquet does with a damaged file is caught
+    HOOK.call_once(|| {
+        let end = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |panic| {
+            if !panic_is_caught() {
+                end(panic);
+            }
+        }));
+    });
     let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")]).expect("a ply");
     let flags = SweepFlags { rows: Some("fuzz.parquet".to_owned()), ..SweepFlags::default() };
     let study = Study::from_spec(&ply, &flags).expect("a study");

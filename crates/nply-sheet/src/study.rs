@@ -49,9 +49,11 @@ impl Spec {
         let is_lost = |entry: &&Entry| {
             matches!(entry.place, Place::Flag(_)) && kept.entries.iter().all(|other| other.place != entry.place)
         };
-        let (Some(lost), Some(varies)) = (self.entries.iter().find(is_lost), corner.entries.first()) else {
-            return Ok(());
+        let Some(lost) = self.entries.iter().find(is_lost) else { return Ok(()) };
+        let same = |other: &&Entry| {
+            other.key.datum == lost.key.datum || other.key.group.is_some() && other.key.group == lost.key.group
         };
+        let Some(varies) = corner.entries.iter().find(same).or(corner.entries.first()) else { return Ok(()) };
         let message = format!(
             "{} is given, and what varies, `{}`, takes its place: leave one of the two out",
             lost.said(),

@@ -235,6 +235,15 @@ fn tables_of_measurements_and_rows() {
     });
 }
 
+/// Found among these: its levels are longer than its page, at which the library that reads Parquet panics.
+#[test]
+fn damaged_parquet_is_refused() {
+    let bytes = mutated(&seeds(&["fuzz/seeds/parquet"]), &mut Random(1_008_813));
+    let mut table = TableReader::open(Format::Parquet, Cursor::new(bytes), 8, 0).unwrap();
+    let error = table.next_chunk().unwrap_err();
+    assert!(error.to_string().contains("no whole Parquet file"), "{error}");
+}
+
 #[test]
 fn parquet() {
     let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")]).unwrap();

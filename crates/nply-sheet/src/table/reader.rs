@@ -114,7 +114,7 @@ impl<R: Read + Seek + Send + 'static> TableReader<R> {
             }
             #[cfg(feature = "parquet")]
             Format::Parquet => {
-                let (columns, rows, batches) = super::arrow::open(read, chunk, skipped)?;
+                let (columns, rows, batches) = super::damaged::caught(|| super::arrow::open(read, chunk, skipped))?;
                 super::writer::check_names(&columns)?;
                 Ok(Self { columns, rows: Some(rows), chunk, content: Reading::Parquet(Box::new(batches)) })
             }
@@ -172,7 +172,10 @@ impl<R: Read + Seek + Send + 'static> TableReader<R> {
                 Ok((rows > 0).then(|| cells.into_iter().map(Values::Text).collect()))
             }
             #[cfg(feature = "parquet")]
-            Reading::Parquet(batches) => batches.next().map(|batch| super::arrow::cells(&batch)).transpose(),
+            Reading::Parquet(batches) => super::damaged::caught(|| {
+                // nothing is read on behind what cannot be read
+                batches.next().map(|batch| super::arrow::cells(&batch)).transpose()
+            }),
         }
     }
 }
