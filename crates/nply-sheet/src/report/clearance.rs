@@ -199,7 +199,9 @@ impl ClearanceReport {
         let unit = self.set.unit.clone().unwrap_or_default();
         // of wires whose size is not known nothing is said of gaps
         let told = |place: usize| place != 1 || self.diameters.is_some();
-        let only = |cells: [String; 7]| cells.into_iter().enumerate().filter(|(at, _)| told(*at)).map(|(_, cell)| cell).collect();
+        let only = |cells: [String; 7]| {
+            cells.into_iter().enumerate().filter(|(at, _)| told(*at)).map(|(_, cell)| cell).collect()
+        };
         let head = only(["distance", "gap", "at", "and at", "x", "y", "z"].map(str::to_owned));
         let mut rows = vec![Row { label: "wires".to_owned(), unit: String::new(), cells: head }];
         for pair in pairs.iter().take(LISTED) {
