@@ -5,6 +5,7 @@
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
+//!     cargo xtask release       all that a release gives away, made and tried in target/release-kit; nothing is published
 //!     cargo xtask figures       draws the figures of docs/figures anew
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
 
@@ -12,6 +13,7 @@ mod authorities;
 mod bench;
 mod figures;
 mod python;
+mod release;
 mod soak;
 mod step;
 mod test;
@@ -20,7 +22,7 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|release|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
         ["authorities"] => authorities::run(),
+        ["release"] => release::run(),
         ["python"] => python::run("wheel"),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
