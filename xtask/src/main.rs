@@ -9,6 +9,7 @@
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
 //!     cargo xtask race 5        ours and scripts in Python in turn; writes authorities/speed.md
+//!     cargo xtask release       all that a release gives away, made and tried in target/release-kit; nothing is published
 //!     cargo xtask figures       draws the figures of docs/figures anew
 //!     cargo xtask validate      every published number beside ours, as Markdown; --json as JSON
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
@@ -22,6 +23,7 @@ mod kill;
 mod npm;
 mod python;
 mod race;
+mod release;
 mod soak;
 mod step;
 mod test;
@@ -31,7 +33,7 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|kill [times [seed]]|hostile|web|book|python|bench|race [rounds]|figures|validate [--json]|authorities>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|kill [times [seed]]|hostile|web|book|python|bench|race [rounds]|figures|validate [--json]|authorities|release>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         ["validate"] => validate::run(&[]),
         ["validate", "--json"] => validate::run(&["--json"]),
         ["authorities"] => authorities::run(),
+        ["release"] => release::run(),
         ["python"] => python::run("wheel"),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
