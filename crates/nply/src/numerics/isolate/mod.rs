@@ -264,7 +264,7 @@ impl<const K: usize> Panel<K> {
         let to = b[ORDER - 1] >= 0.0;
         if self.is_lost(here, b) {
             if depth < DEEPEST && from != to {
-                found(here.refine(low, self.end, from, 0.5 * self.end));
+                found(here.refine_past_zero(low, self.end, from));
             }
             return;
         }
@@ -273,10 +273,10 @@ impl<const K: usize> Panel<K> {
         quotient[0] = if from { 1.0 } else { -1.0 };
         match bernstein::sign_changes(&quotient, (ORDER - 1) as f64 * tolerance) {
             0 => {}
-            1 => found(here.refine(low, self.end, from, 0.5 * self.end)),
+            1 => found(here.refine_past_zero(low, self.end, from)),
             _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
             _ if from == to => {}
-            _ => found(here.refine(low, self.end, from, 0.5 * self.end)),
+            _ => found(here.refine_past_zero(low, self.end, from)),
         }
     }
 
