@@ -59,7 +59,7 @@ impl Dice {
             20..50 => self.within(0.0, 3.0),
             50..70 => self.decades(-3.0, 2.0),
             70..94 => self.decades(-12.0, 8.0),
-            _ => self.decades(-60.0, 60.0),
+            _ => self.decades(-40.0, 40.0),
         }
     }
 
@@ -144,7 +144,7 @@ impl Dice {
         match self.pick(&[2, 3, 4]) {
             2 => {
                 let twist = -others(2) / terms[2] / case.stiffness_ratio;
-                if twist.abs() < 1e60 {
+                if twist.abs() < 1e40 {
                     case.twist = match case.twist {
                         Twist::Pretwist(_) => Twist::Pretwist(twist),
                         Twist::StrandTwist(_) => Twist::StrandTwist(twist),
@@ -153,13 +153,13 @@ impl Dice {
             }
             3 => {
                 let force = -others(3) / terms[3];
-                if force.abs() < 1e60 {
+                if force.abs() < 1e40 {
                     case.load.force = force;
                 }
             }
             _ => {
                 let moment = -others(4) / terms[4];
-                if moment.abs() < 1e60 {
+                if moment.abs() < 1e40 {
                     case.load.moment = moment;
                 }
             }
@@ -180,7 +180,7 @@ impl Dice {
         let (g, slope) = (sum(&t), sum(&s) - wanted);
         let determinant = t[3] * s[4] - t[4] * s[3];
         let (force, moment) = ((-g * s[4] + slope * t[4]) / determinant, (-slope * t[3] + g * s[3]) / determinant);
-        if force.abs() < 1e60 && moment.abs() < 1e60 {
+        if force.abs() < 1e40 && moment.abs() < 1e40 {
             let sign = self.pick(&[-1.0, 1.0]);
             let lift = sign * self.pick(&[0.0, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4]);
             case.load = Load { force: force + lift * (1.0 + force.abs()), moment };

@@ -20,7 +20,7 @@ const CHUNK: usize = 20_000;
 const TOLD: usize = 20;
 
 /// The solver of one ply: as near as rounding of the balance.
-const ALONE: Allowed = Allowed { relative: 1e-12, rounding: 4.0 };
+const ALONE: Allowed = Allowed { relative: 1e-12, rounding: 8.0 };
 /// Arrays promise 1e-12 rad.
 const ARRAYS: Allowed = Allowed { relative: 1e-11, rounding: 16.0 };
 

@@ -80,14 +80,19 @@ impl Scan<'_> {
             }
             brackets.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
             let touches = |bracket: &(usize, f64, f64)| overlaps(&known.open, bracket.0, bracket.1, bracket.2);
-            // two states in one bracket would be one root told twice
-            let same = |pair: &[(usize, f64, f64)]| pair[0].0 == pair[1].0 && pair[1].1 < pair[0].2;
-            let twice =
-                brackets.windows(2).filter(|pair| same(pair) && !touches(&pair[0]) && !touches(&pair[1])).count();
+            // brackets that overlap and reach but one root would be that root told twice
+            let twice = brackets.windows(2).filter(|pair| {
+                let (one, other) = (pair[0], pair[1]);
+                let reached =
+                    |root: &&Stretch| root.place == one.0 && root.from <= one.2.max(other.2) && one.1 <= root.to;
+                let apart = one.0 != other.0 || other.1 >= one.2 || known.roots.iter().filter(reached).count() > 1;
+                !apart && !touches(&one) && !touches(&other)
+            });
+            let twice = twice.count();
             let touching = brackets.iter().filter(|bracket| touches(bracket)).count() as u64;
             // a bracket that reaches into an open stretch may be that of a root beside it, or of one inside; so may a state inside
             let beside = known.roots.iter().any(|root| overlaps(&known.open, root.place, root.from, root.to));
-            let (clear, roots) = (brackets.len() as u64 - touching, known.roots.len() as u64);
+            let (clear, roots) = ((brackets.len() - twice) as u64 - touching, known.roots.len() as u64);
             let unsure = touching + if beside { inside } else { 0 };
             let used = roots.saturating_sub(clear).min(unsure);
             verdict.extra += twice as u64 + clear.saturating_sub(roots);

@@ -2,6 +2,7 @@
 //!
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
+//!     cargo xtask certify 1000000   the solver against roots proved by interval arithmetic, on random plies
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
@@ -10,6 +11,7 @@
 
 mod authorities;
 mod bench;
+mod certify;
 mod figures;
 mod python;
 mod soak;
@@ -20,7 +22,8 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
+const USAGE: &str =
+    "usage: cargo xtask <test|soak [rounds]|certify [plies] [seed]|web|python|bench|figures|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -28,6 +31,7 @@ fn main() -> ExitCode {
         ["test"] => test::run(),
         ["soak"] => soak::run("10"),
         ["soak", rounds] => soak::run(rounds),
+        ["certify", ref arguments @ ..] => certify::run(arguments),
         ["web"] => web::build(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
