@@ -4,6 +4,7 @@
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
 //!     cargo xtask kill 100      studies killed and interrupted a hundred times, and gone on with to the same bytes
 //!     cargo xtask hostile       inputs of gigabytes, refused or streamed in bounded memory
+//!     cargo xtask certify 1000000   the solver against roots proved by interval arithmetic, on random plies
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
 //!     cargo xtask book          the book, into target/book/html: every command in it run, every formula set
 //!     cargo xtask python        the Python package: its wheel, installed and tested
@@ -17,6 +18,7 @@
 mod authorities;
 mod bench;
 mod book;
+mod certify;
 mod figures;
 mod hostile;
 mod kill;
@@ -33,7 +35,7 @@ mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|kill [times [seed]]|hostile|web|book|python|bench|race [rounds]|figures|validate [--json]|authorities|release>";
+const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|kill [times [seed]]|hostile|web|book|python|bench|race [rounds]|figures|validate [--json]|authorities|release|certify [plies] [seed]>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         ["kill", times] => kill::run(times, "1"),
         ["kill", times, seed] => kill::run(times, seed),
         ["hostile"] => hostile::run(),
+        ["certify", ref arguments @ ..] => certify::run(arguments),
         ["web"] => web::build(),
         ["book"] => book::run(),
         ["bench"] => bench::run(),
