@@ -68,10 +68,10 @@ fn free_rods_that_touch_come_to_rest_in_contact_balance() {
         );
 
         let radial = given.nearest(Balance::Radial, hand(row), simulated).contact().angle().degrees();
-        if given.strands > 2 {
-            assert!((radial - simulated).abs() > 1000.0 * error, "{what}: {radial} is not told apart");
-        } else {
+        if given.strands == 2 && simulated < 45.0 {
             assert_within(radial, angle, 1e-10, &what); // line contact: one balance
+        } else {
+            assert!((radial - simulated).abs() > 1000.0 * error, "{what}: {radial} is not told apart");
         }
     }
 }
