@@ -107,6 +107,9 @@ fn pages(folder: &Path, html: &BTreeMap<(String, bool), String>) -> Result<(), S
         } else if path.extension().is_some_and(|ending| ending == "html") {
             let page = fs::read_to_string(&path).map_err(wrong)?;
             let set = set_formulas(&page, html);
+            if set.contains(" data-formula=\"") {
+                return Err(format!("{}: a formula was lost on its way", path.display()));
+            }
             if set != page {
                 fs::write(&path, set).map_err(wrong)?;
             }
