@@ -3,24 +3,30 @@
 //!     cargo xtask test          every check: format, lints, tests, documentation, the command on a real file, the page in a browser
 //!     cargo xtask soak 10       the laws ten times over, on other random states each time
 //!     cargo xtask web           builds the page of `nply explore` into web/dist
+//!     cargo xtask book          the book, into target/book/html: every command in it run, every formula set
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
 //!     cargo xtask figures       draws the figures of docs/figures anew
+//!     cargo xtask validate      every published number beside ours, as Markdown; --json as JSON
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
 
 mod authorities;
 mod bench;
+mod book;
 mod figures;
+mod npm;
 mod python;
 mod soak;
 mod step;
 mod test;
+mod validate;
 mod venv;
 mod web;
 
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask <test|soak [rounds]|web|python|bench|figures|authorities>";
+const USAGE: &str =
+    "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|validate [--json]|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,8 +35,11 @@ fn main() -> ExitCode {
         ["soak"] => soak::run("10"),
         ["soak", rounds] => soak::run(rounds),
         ["web"] => web::build(),
+        ["book"] => book::run(),
         ["bench"] => bench::run(),
         ["figures"] => figures::run(),
+        ["validate"] => validate::run(&[]),
+        ["validate", "--json"] => validate::run(&["--json"]),
         ["authorities"] => authorities::run(),
         ["python"] => python::run("wheel"),
         ["help" | "--help" | "-h"] => {

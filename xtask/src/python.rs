@@ -23,18 +23,7 @@ pub(crate) fn run(profile: &str) -> Outcome {
         println!("\n== {said}");
         return Ok(());
     }
-    venv::with(&package().join("requirements.txt"))?;
-    // an old wheel beside the new one would leave open which is meant
-    let wheels = root().join("target/wheels");
-    if wheels.exists() {
-        fs::remove_dir_all(&wheels).map_err(|error| format!("cannot remove {}: {error}", wheels.display()))?;
-    }
-    let build = ["-m", "maturin", "build", "--quiet", "--locked", "--manifest-path", "crates/nply-py/Cargo.toml"];
-    step("wheel", venv::python().args(build).args(["--profile", profile]).arg("--out").arg(&wheels))?;
-    let wheel = fs::read_dir(&wheels).ok().and_then(|mut found| found.next()?.ok()).map(|found| found.path());
-    let wheel = wheel.ok_or_else(|| format!("no wheel stands in {}", wheels.display()))?;
-    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
-    step("wheel installed", venv::python().args(install).arg(wheel))?;
+    wheel(profile)?;
     let cache = root().join("target/mypy");
     let types = ["-m", "mypy", "--strict", "--package", "nply"];
     step("types of the package", venv::python().args(types).current_dir(package()).env("MYPY_CACHE_DIR", &cache))?;
@@ -52,4 +41,20 @@ pub(crate) fn run(profile: &str) -> Outcome {
         "tests of the package",
         venv::python().args(tests).current_dir(package()).env("NPLY_COMMAND", command).env("MYPY_CACHE_DIR", &cache),
     )
+}
+
+/// Builds the wheel and installs it into the environment.
+pub(crate) fn wheel(profile: &str) -> Outcome {
+    venv::with(&package().join("requirements.txt"))?;
+    // an old wheel beside the new one would leave open which is meant
+    let wheels = root().join("target/wheels");
+    if wheels.exists() {
+        fs::remove_dir_all(&wheels).map_err(|error| format!("cannot remove {}: {error}", wheels.display()))?;
+    }
+    let build = ["-m", "maturin", "build", "--quiet", "--locked", "--manifest-path", "crates/nply-py/Cargo.toml"];
+    step("wheel", venv::python().args(build).args(["--profile", profile]).arg("--out").arg(&wheels))?;
+    let wheel = fs::read_dir(&wheels).ok().and_then(|mut found| found.next()?.ok()).map(|found| found.path());
+    let wheel = wheel.ok_or_else(|| format!("no wheel stands in {}", wheels.display()))?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
+    step("wheel installed", venv::python().args(install).arg(wheel))
 }

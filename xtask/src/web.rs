@@ -9,6 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::npm::{lacks_node, npm, packages, write};
 use crate::step::{Outcome, answers, cargo, hear, root, run as step};
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -22,7 +23,7 @@ pub(crate) fn build() -> Outcome {
     step("solver for the page", &mut cargo(["build", "--package=nply-wasm", "--profile=wasm", "--target", TARGET]))?;
     let mut glue = cargo(["run", "--quiet", "--package=xtask-web", "--"]);
     step("glue", glue.arg(built().join(TARGET).join("wasm/nply_wasm.wasm")).arg(web().join("src/wasm")))?;
-    packages()?;
+    packages(&web())?;
     page()
 }
 
@@ -38,17 +39,17 @@ pub(crate) fn build_for_tests() -> Result<bool, String> {
 /// What has to be fetched, each asked for twice: networks fail.
 fn set_up() -> Outcome {
     target().or_else(|_| target())?;
-    packages().or_else(|_| packages())
+    packages(&web()).or_else(|_| packages(&web()))
 }
 
 /// The page's own tests: its parts in Node, and the whole in a browser, served by the command.
 pub(crate) fn test() -> Outcome {
-    step("page: parts", &mut npm(["run", "--silent", "test"]))?;
+    step("page: parts", &mut npm(&web(), ["run", "--silent", "test"]))?;
     match browser() {
         Ok(browser) => {
             step("command for the page", &mut cargo(["build"]))?;
             let command = built().join("debug").join(format!("nply{}", std::env::consts::EXE_SUFFIX));
-            let mut tests = npm(["run", "--silent", "e2e"]);
+            let mut tests = npm(&web(), ["run", "--silent", "e2e"]);
             step("page: in a browser", tests.env("CHROMIUM", browser).env("NPLY_BIN", command))
         }
         Err(lacks) => left_out("the page in a browser", &lacks),
@@ -73,25 +74,6 @@ fn built() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder))
 }
 
-fn npm<const N: usize>(arguments: [&str; N]) -> Command {
-    let mut command = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
-    command.args(arguments).current_dir(web());
-    command
-}
-
-fn lacks_node() -> Option<String> {
-    const WANTED: [u32; 2] = [20, 19];
-    let Some(said) = hear(Command::new("node").arg("--version")) else {
-        return Some("Node is missing: install Node 20.19 or later, with npm".to_owned());
-    };
-    let version: Vec<u32> =
-        said.trim().trim_start_matches('v').split('.').map_while(|part| part.parse().ok()).collect();
-    if version.get(..2).is_none_or(|version| version < &WANTED[..]) {
-        return Some(format!("Node {} is too old: install Node 20.19 or later", said.trim()));
-    }
-    (!answers(npm(["--version"]).current_dir(root()))).then(|| "npm is missing: it comes with Node".to_owned())
-}
-
 /// The compiler's library for WebAssembly.
 fn target() -> Outcome {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -104,17 +86,6 @@ fn target() -> Outcome {
         .map_err(|why| format!("the compiler cannot build for {TARGET}, and rustup cannot add that: {why}"))
 }
 
-/// The packages of the lock file, where other ones or none are there.
-fn packages() -> Outcome {
-    let lock = read(&web().join("package-lock.json"))?;
-    let installed = web().join("node_modules/.lock-installed");
-    if fs::read(&installed).is_ok_and(|installed| installed == lock) {
-        return Ok(());
-    }
-    step("packages of the page", &mut npm(["ci", "--no-audit", "--no-fund"]))?;
-    write(&installed, &lock)
-}
-
 /// The files, unless they were made of the very same: the command need then not be built anew either.
 fn page() -> Outcome {
     let seal = web().join("node_modules/.page-built");
@@ -124,7 +95,7 @@ fn page() -> Outcome {
         println!("\n== page: as it was");
         return Ok(());
     }
-    step("page", &mut npm(["run", "--silent", "build"]))?;
+    step("page", &mut npm(&web(), ["run", "--silent", "build"]))?;
     write(&seal, made_of()?.as_bytes())
 }
 
@@ -184,12 +155,4 @@ fn find_browser() -> Option<PathBuf> {
     let folders: Vec<PathBuf> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
     let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
     names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, String> {
-    fs::read(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Outcome {
-    fs::write(path, bytes).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }

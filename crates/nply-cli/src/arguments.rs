@@ -76,7 +76,7 @@ const fn heading(table: Table) -> &'static str {
     }
 }
 
-const fn value_name(kind: Kind) -> &'static str {
+pub(crate) const fn value_name(kind: Kind) -> &'static str {
     match kind {
         Kind::Count => "N",
         Kind::Balance => "contact|radial",

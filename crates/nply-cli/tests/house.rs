@@ -85,6 +85,77 @@ fn inside_the_theory_numbers_know_no_shape_and_shapes_no_force() {
     }
 }
 
+/// The rooms of the paperwork, floor by floor: a room may name those on the floors before its own.
+const FLOORS: [&[&str]; 9] = [
+    &["diagnostic", "quantity", "table"],
+    &["curves", "key", "preferred"],
+    &["plot", "spec"],
+    &["case", "construction"],
+    &["solve", "study"],
+    &["report"],
+    &["map", "mesh", "preset", "regression", "sweep"],
+    &["graph", "render"],
+    &["figure", "schema"],
+];
+
+/// What of the crate a text names, each by its first word: `crate::report::Known` and `crate::{Case, report::Known}` name `report`.
+fn named_of_the_crate(code: &str) -> Vec<String> {
+    let word = |text: &str| text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+    let mut names = Vec::new();
+    for after in code.split("crate::").skip(1) {
+        let Some(list) = after.strip_prefix('{') else {
+            names.push(word(after));
+            continue;
+        };
+        let mut depth = 0;
+        let mut member = String::new();
+        for c in list.chars() {
+            match c {
+                '{' => depth += 1,
+                '}' if depth == 0 => break,
+                '}' => depth -= 1,
+                ',' if depth == 0 => names.push(word(&std::mem::take(&mut member))),
+                c => member.push(c),
+            }
+        }
+        names.push(word(&member));
+    }
+    names
+}
+
+#[test]
+fn the_rooms_of_the_paperwork_stand_one_above_the_other() {
+    let library = read("crates/nply-sheet/src/lib.rs");
+    // what the crate shows under its own name stands in a room
+    let mut home = std::collections::BTreeMap::new();
+    for (room, names) in library.split("pub use ").skip(1).filter_map(|shown| shown.split_once("::")) {
+        for name in names.split(';').next().unwrap().trim_matches(['{', '}']).split(',') {
+            home.insert(name.trim().to_owned(), room.to_owned());
+        }
+    }
+    let floor = |room: &str| FLOORS.iter().position(|floor| floor.contains(&room));
+    let mut looked_at = 0;
+    for (path, text) in sources("crates/nply-sheet/src") {
+        let inside = path.split("crates/nply-sheet/src/").nth(1).unwrap();
+        let room = inside.split('/').next().unwrap().trim_end_matches(".rs");
+        if room == "lib" {
+            continue;
+        }
+        let own = floor(room).unwrap_or_else(|| panic!("{room} has no floor in this test"));
+        for name in named_of_the_crate(&code(&text)) {
+            let other = home.get(&name).unwrap_or(&name);
+            // a function of the crate's own, which every room may use
+            if other == room || other == "quoted" || other.is_empty() {
+                continue;
+            }
+            let below = floor(other).unwrap_or_else(|| panic!("{path}: {other} has no floor in this test"));
+            assert!(below < own, "{path} names {name}: {other} stands on floor {below}, {room} on {own}");
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 300);
+}
+
 #[test]
 fn theory_and_paperwork_touch_no_file_and_print_nothing() {
     for folder in ["crates/nply/src", "crates/nply-sheet/src"] {

@@ -247,3 +247,34 @@ fn what_cannot_run_is_refused() {
     let flags = GraphFlags { sweep: "force=0..1".into(), ask: vec!["moment".into()], ..GraphFlags::default() };
     assert!(cored.check_graph(&flags).unwrap_err().to_string().contains("nply trace --plot"));
 }
+
+/// What runs stands below the picture in the words and the unit in which it was asked for: 1 to 100 turns of half a metre of strands are
+/// no 2 to 200 turns per metre.
+#[test]
+fn the_axis_is_what_was_asked_for() {
+    let spec = ply(&[
+        ("strands", "2"),
+        ("stiffness-ratio", "1"),
+        ("pretwist", "0"),
+        ("diameter", "1 mm"),
+        ("strand-length", "0.5 m"),
+    ]);
+    for (range, label, mark) in [
+        ("ply_turns=1..100", "ply turns", 100.0),
+        ("ply_turns_per_strand_length=0..3 turns/inch", "ply turns per strand length (turns/inch)", 2.5),
+        ("turns_per_length=-5 tpi..1 tpi", "turns per length (tpi)", -4.0),
+        ("force=0..2", "end force (B/r²)", 2.0),
+    ] {
+        let spec = if range.starts_with("turns") {
+            ply(&[("strands", "2"), ("stiffness-ratio", "1"), ("diameter", "1 mm")])
+        } else {
+            spec.clone()
+        };
+        let graph = graph(&spec, range, &["helical_angle"]);
+        let picture = graph.picture(&graph.curves()).svg();
+        assert!(picture.contains(&format!(">{label}<")), "{range}: {picture}");
+        let ticks =
+            picture.split('<').filter_map(|piece| piece.split('>').nth(1)?.replace('−', "-").parse::<f64>().ok());
+        assert!(ticks.filter(|tick| (tick - mark).abs() < 1e-9).count() > 0, "{range}");
+    }
+}

@@ -2,6 +2,7 @@
 
 mod actuator;
 mod clearance;
+mod completions;
 mod contact;
 #[cfg(feature = "explore")]
 mod explore;
@@ -11,12 +12,15 @@ mod fit_check;
 mod lays;
 mod link;
 mod locus;
+mod man;
 mod map;
 mod mesh;
 mod nodes;
+mod page;
 mod plot;
 mod preset;
 mod render;
+mod schema;
 mod solve;
 mod spin;
 mod stiffness;
@@ -69,6 +73,9 @@ static VERBS: &[&Verb] = &[
     &figure::VERB,
     #[cfg(feature = "explore")]
     &explore::VERB,
+    &schema::VERB,
+    &completions::VERB,
+    &man::VERB,
 ];
 
 const EXAMPLES: &str = "\
@@ -89,6 +96,11 @@ Examples:
 
 Exit status: 0 an answer (no state in equilibrium is one), 1 no such ply can be, 2 the input is not understood,
 3 a file cannot be read or written, 130 interrupted.";
+
+/// What stands at the end of the examples.
+fn exit_status() -> &'static str {
+    EXAMPLES.split("Exit status: ").nth(1).unwrap_or_default()
+}
 
 /// `nply` with its commands. What a command takes is only made when it is called.
 pub(crate) fn command() -> Command {

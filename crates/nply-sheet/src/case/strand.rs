@@ -28,9 +28,7 @@ impl Strand {
         let radius = radius(spec)?;
         let bending_entry = only_one(spec, Group::Bending, "the bending stiffness of the strand")?;
         let torsion_entry = only_one(spec, Group::Torsion, "the torsional stiffness of the strand")?;
-        if let (Some(temperature), false) =
-            (spec.get(Datum::Temperature), any_persistence(spec) || super::relative::any_thermal(spec))
-        {
+        if let (Some(temperature), false) = (spec.get(Datum::Temperature), any_persistence(spec) || spec.is_thermal()) {
             let message = format!(
                 "a temperature is of use only with persistence lengths and kT: remove it, or give {}",
                 spec.call(Datum::BendingPersistenceLength)

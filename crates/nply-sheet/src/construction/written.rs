@@ -54,10 +54,10 @@ pub(super) struct Part {
 const STRAND: &str = "strand";
 
 /// Wires in strands in ropes in cables: no deeper.
-const DEEPEST: usize = 3;
+pub(crate) const DEEPEST: usize = 3;
 
 /// A strand of more layers than this is no strand.
-const MOST_LAYERS: usize = 100;
+pub(crate) const MOST_LAYERS: usize = 100;
 
 impl ConstructionSpec {
     /// Reads a file's text. `file_name` is used in messages only.

@@ -57,7 +57,7 @@ pub struct MapFlags {
 /// Points across and up where nobody says how many.
 const POINTS: u32 = 200;
 /// The most points across or up.
-const MOST: u32 = 100_000;
+pub(crate) const MOST: u32 = 100_000;
 
 impl Spec {
     /// The map that `[map]` of the file describes, or flags, or both.

@@ -88,6 +88,12 @@ impl LaysReport {
         Self { strands, lays }
     }
 
+    /// Names and words of the lays, with those of what is extreme there.
+    pub(super) fn named(&self) -> Vec<NamedLay> {
+        let extreme = |lay: &Lay| lay.extreme.map(|(name, words, _)| (name, words));
+        self.lays.iter().map(|lay| (lay.name, lay.label, extreme(lay))).collect()
+    }
+
     /// As an aligned table, with a bold heading if `emphasis`.
     #[must_use]
     pub fn text(&self, emphasis: bool) -> String {
@@ -136,5 +142,8 @@ impl LaysReport {
         format!("{:#}\n", Value::Object(top))
     }
 }
+
+/// Name and words of a lay, and of what is extreme there.
+pub(crate) type NamedLay = (&'static str, &'static str, Option<(&'static str, &'static str)>);
 
 type Extreme = (&'static str, &'static str, fn(&Contact) -> f64);

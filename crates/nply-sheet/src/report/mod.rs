@@ -11,6 +11,7 @@ mod item;
 mod json;
 mod lays;
 mod link;
+pub(crate) mod listed;
 mod locus;
 mod locus_picture;
 mod margin;

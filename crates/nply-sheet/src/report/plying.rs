@@ -36,7 +36,7 @@ pub struct PlyingReport {
 
 /// One ply of the same singles, and the moment that holds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Plied {
+pub(super) struct Plied {
     name: &'static str,
     balance: Balance,
     state: Equilibrium,
@@ -53,7 +53,7 @@ impl Plied {
     }
 }
 
-const PLIED: &[Item<Plied>] = {
+pub(super) const PLIED: &[Item<Plied>] = {
     use Measure::{Degrees, ForcePerLength, Length, Moment, Number, Percent, TurnsPerLength};
     const TWIST: &str = "Twist (Z positive)";
     const SHAPE: &str = "Shape";

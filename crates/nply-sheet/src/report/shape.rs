@@ -35,7 +35,7 @@ enum Geometry {
 }
 
 /// A reported length, angle or ratio: name in JSON, words, kind, value.
-type Item = (&'static str, &'static str, Measure, f64);
+pub(super) type Item = (&'static str, &'static str, Measure, f64);
 
 /// Name, words, kind, dimensionless value.
 pub(super) type ContactItem = (&'static str, &'static str, Measure, fn(&Contact) -> f64);
@@ -64,6 +64,23 @@ pub(super) const CONTACT: &[ContactItem] = {
     ]
 };
 
+/// Every number of the densest helix of a single tube.
+pub(super) fn single() -> Vec<Item> {
+    of_helix(&DensestHelix::new())
+}
+
+fn of_helix(helix: &DensestHelix) -> Vec<Item> {
+    use Measure::{Degrees, Length, Number, PerLength};
+    vec![
+        ("helical_angle_deg", "helical angle (lay angle)", Degrees, helix.angle().degrees()),
+        ("pitch_angle_deg", "pitch angle", Degrees, helix.angle().pitch_angle().to_degrees()),
+        ("radius_ratio", "helix radius/tube radius", Number, helix.radius_ratio()),
+        ("arclength_shift", "arclength shift/helix radius", Number, helix.arclength_shift()),
+        ("lay_length", "pitch", Length, helix.pitch()),
+        ("curvature", "curvature", PerLength, 1.0),
+    ]
+}
+
 impl ShapeReport {
     /// Finds the contact, and up to `most` solutions of the contact condition, satellites included.
     ///
@@ -82,16 +99,8 @@ impl ShapeReport {
     }
 
     fn items(&self) -> Vec<Item> {
-        use Measure::{Degrees, Length, Number, PerLength};
         match &self.geometry {
-            Geometry::Single(helix) => vec![
-                ("helical_angle_deg", "helical angle (lay angle)", Degrees, helix.angle().degrees()),
-                ("pitch_angle_deg", "pitch angle", Degrees, helix.angle().pitch_angle().to_degrees()),
-                ("radius_ratio", "helix radius/tube radius", Number, helix.radius_ratio()),
-                ("arclength_shift", "arclength shift/helix radius", Number, helix.arclength_shift()),
-                ("lay_length", "pitch", Length, helix.pitch()),
-                ("curvature", "curvature", PerLength, 1.0),
-            ],
+            Geometry::Single(helix) => of_helix(helix),
             Geometry::Ply { contact, .. } => {
                 let value = |of: fn(&Contact) -> f64| of(contact);
                 CONTACT.iter().map(|(name, label, measure, of)| (*name, *label, *measure, value(*of))).collect()

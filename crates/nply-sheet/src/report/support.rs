@@ -115,7 +115,7 @@ const VERDICTS: &[Verdict<SupportedState>] = &[
 ];
 
 /// Every number of a wedge of loads.
-const WEDGE: &[Item<Wedge>] = {
+pub(super) const WEDGE: &[Item<Wedge>] = {
     use Measure::{Degrees, Force, Moment};
     const TIP: &str = "";
     const NEIGHBOURS: &str = "Edge where neighbours just touch, from the tip in the direction";
@@ -132,7 +132,7 @@ const WEDGE: &[Item<Wedge>] = {
 };
 
 /// Every number of an opening.
-const OPENING: &[Item<Opening>] = &[
+pub(super) const OPENING: &[Item<Opening>] = &[
     item("", "helical_angle_deg", "helical angle (lay angle)", Measure::Degrees, |s| Some(s.angle.degrees())),
     item("", "radius_ratio", "helix radius/strand radius", Measure::Number, |s| Some(s.radius_ratio)),
     item("", "force", "end force (tension +)", Measure::Force, |s| Some(s.load.force)),

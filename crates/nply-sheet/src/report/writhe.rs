@@ -280,10 +280,10 @@ impl WritheReport {
 }
 
 /// One number of a curve: its name in JSON and CSV, the words above its column (none: not in a reader's table).
-struct Quantity {
-    name: &'static str,
-    label: &'static str,
-    whole: bool,
+pub(super) struct Quantity {
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) whole: bool,
     value: fn(&Writhing) -> Option<f64>,
 }
 
@@ -291,7 +291,7 @@ const fn quantity(name: &'static str, label: &'static str, value: fn(&Writhing) 
     Quantity { name, label, whole: false, value }
 }
 
-const QUANTITIES: &[Quantity] = &[
+pub(super) const QUANTITIES: &[Quantity] = &[
     quantity("writhe", "writhe", |found| Some(found.writhe)),
     quantity("error_bound", "error at most", |found| Some(found.bound)),
     quantity("polar_writhe", "polar writhe", |found| found.polar.map(|polar| polar.value())),

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::sweep::SweepSpec;
 use super::{Entry, MOST_LEGS, MapSpec, Spec, Value, read_text};
 use crate::key::nearest;
-use crate::sweep::SweepSpec;
 use crate::{ErrorKind, KEYS, Key, Kind, Place, SpecError, Table};
 
 impl Spec {
@@ -154,6 +154,14 @@ pub(crate) fn parse<'t>(
     })
 }
 
+/// The keys of `[map]`, and what they mean.
+pub(crate) const MAP_KEYS: [(&str, &str); 4] = [
+    ("from", "What one corner of the rectangle changes; nothing, if it is left out"),
+    ("to", "What the opposite corner changes: two data, of which the first runs across and the second up"),
+    ("columns", "Points across; 200 if absent"),
+    ("rows", "Points up; 200 if absent"),
+];
+
 impl MapSpec {
     fn read(
         content: &DeTable<'_>,
@@ -181,8 +189,9 @@ impl MapSpec {
                         Some((count, place(value.span())));
                 }
                 _ => {
-                    let message =
-                        format!("{} is no key of [map], which has from, to, columns and rows", ticked(written));
+                    let [rest @ .., last] = MAP_KEYS.map(|(name, _)| name);
+                    let known = format!("{} and {last}", rest.join(", "));
+                    let message = format!("{} is no key of [map], which has {known}", ticked(written));
                     return Err(SpecError::new(ErrorKind::UnknownKey, place(key.span()), message).of_key(written));
                 }
             }

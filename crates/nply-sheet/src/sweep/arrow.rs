@@ -5,7 +5,8 @@ use std::sync::Arc;
 use arrow_array::{Array, ArrayRef, RecordBatch, UInt64Array};
 use arrow_schema::{Field, Schema, SchemaRef};
 
-use super::{Study, refused};
+use super::Study;
+use crate::spec::sweep::refused;
 use crate::table::arrow::{batch, field, schema, values};
 use crate::table::{Column, Kind, TableError, Values};
 use crate::{ErrorKind, SpecError};

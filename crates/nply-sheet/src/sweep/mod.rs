@@ -13,120 +13,19 @@ mod plan;
 mod run;
 mod sample;
 mod sink;
-mod written;
 
+pub use crate::spec::sweep::{Order, Question, Sample, States, SweepFlags};
 pub use follow::Trail;
-pub use sample::Sample;
-pub use written::SweepFlags;
-pub(crate) use written::SweepSpec;
 
 use crate::report::StateKind;
 use crate::spec::Spec;
+use crate::spec::sweep::{Run, SweepSpec, refused, refused_at};
+use crate::spec::toml_text;
 use crate::table::{Column, Values};
-use crate::{ErrorKind, Place, SpecError, Unit, quoted};
+use crate::{ErrorKind, SpecError, quoted};
 use places::{Exact, Places};
 use plan::{GivenKey, Plan};
-use run::Run;
 use sample::Points;
-
-/// Which states of a row are told.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum States {
-    /// Every one, a row of the table each.
-    #[default]
-    All,
-    /// Those that are stable.
-    Stable,
-    /// The one that is followed from the row before, along what varies fastest.
-    Continued,
-}
-
-/// How the values of several data go together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// Each with each; the last varies fastest.
-    #[default]
-    Grid,
-    /// The first with the first, the second with the second.
-    Zip,
-}
-
-/// What is to be found in every row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Question {
-    /// The shape of a given lay, as `nply contact`.
-    Contact,
-    /// The states of touching strands, as `nply solve`.
-    States,
-    /// The states on neighbours, a core, both or free, as `nply support`.
-    Supports,
-}
-
-/// A word out of a list of words.
-fn chosen<T: Copy>(written: &str, place: &Place, known: &[(&str, T)]) -> Result<T, SpecError> {
-    let word = written.trim().to_lowercase();
-    if let Some((_, found)) = known.iter().find(|(name, _)| *name == word) {
-        return Ok(*found);
-    }
-    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-    let (last, rest) = names.split_last().unwrap_or((&"", &[]));
-    let message = format!("{} is not understood: what is wanted is {} or {last}", quoted(written), rest.join(", "));
-    Err(refused_at(ErrorKind::WrongType, place, message))
-}
-
-impl States {
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::All => "all",
-            Self::Stable => "stable",
-            Self::Continued => "continued",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &[Self::All, Self::Stable, Self::Continued].map(|states| (states.name(), states)))
-    }
-}
-
-impl Order {
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Grid => "grid",
-            Self::Zip => "zip",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &[Self::Grid, Self::Zip].map(|order| (order.name(), order)))
-    }
-}
-
-impl Question {
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Contact => "contact",
-            Self::States => "states",
-            Self::Supports => "supports",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        let all = [Self::Contact, Self::States, Self::Supports];
-        chosen(written, place, &all.map(|question| (question.name(), question)))
-    }
-}
-
-impl Sample {
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &Self::ALL.map(|sample| (sample.name(), sample)))
-    }
-}
 
 /// A description of a ply, what varies in it from row to row, and what is asked of every row.
 ///
@@ -508,37 +407,6 @@ impl Study {
     }
 }
 
-/// A text in quotation marks, as TOML has it.
-fn toml_text(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .flat_map(|c| match c {
-            '"' => "\\\"".chars().collect::<Vec<_>>(),
-            '\\' => "\\\\".chars().collect(),
-            c if c.is_control() => format!("\\u{:04x}", c as u32).chars().collect(),
-            c => vec![c],
-        })
-        .collect();
-    format!("\"{escaped}\"")
-}
-
-impl crate::spec::Entry {
-    /// The value as a file has it.
-    fn as_toml(&self) -> String {
-        use crate::spec::Value;
-        match &self.value {
-            Value::Switch(switch) => switch.to_string(),
-            Value::Balance(balance) => format!("\"{}\"", balance.name()),
-            Value::Hand(hand) => format!("\"{}\"", if hand.sign() > 0.0 { "right" } else { "left" }),
-            Value::Text(text) => toml_text(text),
-            Value::Quantity(crate::Quantity::Bare(value)) if self.key.kind == crate::Kind::Count => value.to_string(),
-            Value::Quantity(crate::Quantity::Bare(value)) => format!("{value:?}"),
-            // as it was written, whose last digit is that of the value
-            Value::Quantity(crate::Quantity::Measured { .. }) => toml_text(self.written.trim_matches('"')),
-        }
-    }
-}
-
 /// How many rows these make.
 fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
     let mut counts = Vec::new();
@@ -570,17 +438,4 @@ fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
             }
         }
     }
-}
-
-fn refused(kind: ErrorKind, flag: &str, message: impl Into<String>) -> SpecError {
-    SpecError::new(kind, Place::Flag(flag.to_owned()), message)
-}
-
-fn refused_at(kind: ErrorKind, place: &Place, message: impl Into<String>) -> SpecError {
-    SpecError::new(kind, place.clone(), message)
-}
-
-/// The unit that a suffix stands for, whatever it measures.
-fn unit_of_suffix(suffix: &str) -> Option<Unit> {
-    written::unit_of(suffix)
 }

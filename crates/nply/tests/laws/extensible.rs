@@ -347,10 +347,11 @@ fn costello_is_the_limit_on_a_core() {
     }
 }
 
-/// The table in docs/real-strands.md, to its last digit.
+/// The table in the book's chapter on strands that stretch, to its last digit.
 #[test]
 fn the_differences_to_costello_are_those_that_are_stated() {
-    let text = std::fs::read_to_string(format!("{}/../../docs/real-strands.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let text =
+        std::fs::read_to_string(format!("{}/../../book/src/theory/stretch.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let rows: Vec<&str> = text.lines().filter(|line| line.starts_with("| ") && line.contains("° |")).collect();
     assert_eq!(rows.len(), 5);
     for row in rows {

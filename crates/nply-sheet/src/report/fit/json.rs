@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use super::FitReport;
 use super::figure::{Figure, OF_FORMULAS, OF_LAYER, OF_WHOLE, OfLayer, Sort};
 use crate::Unit;
+use crate::report::csv::unit_suffix;
 use crate::report::json::header;
 
 /// A figure's numbers by name: in the written unit, and in SI with the unit behind the name.
@@ -16,12 +17,21 @@ fn named<T>(figure: &Figure<T>, of: &T, unit: Option<&Unit>) -> Vec<(String, Opt
         Sort::Area => unit.of_si(unit.of_si(value)),
         _ => unit.of_si(value),
     };
-    let si = |suffix| (format!("{name}_{suffix}"), value);
+    let Some(si) = si(figure.sort) else { return vec![(name, value)] };
+    let measured = (format!("{name}_{}", unit_suffix(si)), value);
     match figure.sort {
-        Sort::Number | Sort::Degrees => vec![(name, value)],
-        Sort::Length => vec![(name.clone(), value.map(written)), si("m")],
-        Sort::Area => vec![(name.clone(), value.map(written)), si("m2")],
-        Sort::LinearDensity => vec![si("kg_per_m")],
+        Sort::LinearDensity => vec![measured],
+        _ => vec![(name, value.map(written)), measured],
+    }
+}
+
+/// The SI unit of what has one.
+pub(super) const fn si(sort: Sort) -> Option<&'static str> {
+    match sort {
+        Sort::Number | Sort::Degrees => None,
+        Sort::Length => Some("m"),
+        Sort::Area => Some("m^2"),
+        Sort::LinearDensity => Some("kg/m"),
     }
 }
 

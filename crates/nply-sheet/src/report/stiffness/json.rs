@@ -11,16 +11,9 @@ use crate::report::json::header;
 impl StiffnessReport {
     /// The name of a figure: with its SI unit behind it where the input has units.
     fn name(&self, name: &str, sort: Sort) -> String {
-        if !self.case.construction.measured {
-            return name.to_owned();
-        }
-        match sort {
-            Sort::Number | Sort::Percent => name.to_owned(),
-            Sort::Degrees => format!("{name}_deg"),
-            Sort::Stress => format!("{name}_Pa"),
-            Sort::Of(Dimension::ANGLE_PER_LENGTH) => format!("{name}_rad_per_m"),
-            Sort::Of(dimension) => format!("{name}_{}", unit_suffix(dimension_unit(dimension))),
-            Sort::Unlay => format!("{name}_rad_per_m_per_N"),
+        match unit(sort).filter(|_| self.case.construction.measured) {
+            None => name.to_owned(),
+            Some(unit) => format!("{name}_{}", unit_suffix(unit)),
         }
     }
 
@@ -110,9 +103,20 @@ fn words(member: &Member) -> [(&'static str, Option<&'static str>); 3] {
     [("lay", letter), ("support", member.layer.map(|layer| layer.support.name())), ("greatest_stress_at", fibre)]
 }
 
-/// SI units as they are written in names.
-fn dimension_unit(dimension: Dimension) -> &'static str {
+/// The SI unit of what has one, as it is written in names.
+pub(super) fn unit(sort: Sort) -> Option<&'static str> {
+    match sort {
+        Sort::Number | Sort::Percent => None,
+        Sort::Degrees => Some("deg"),
+        Sort::Stress => Some("Pa"),
+        Sort::Of(dimension) => Some(dimension_unit(dimension)),
+        Sort::Unlay => Some("rad/m/N"),
+    }
+}
+
+const fn dimension_unit(dimension: Dimension) -> &'static str {
     match dimension {
+        Dimension::ANGLE_PER_LENGTH => "rad/m",
         Dimension::FORCE => "N",
         Dimension::MOMENT => "N m",
         Dimension::STIFFNESS => "N m2",

@@ -2,6 +2,7 @@
 
 mod figure;
 mod json;
+pub(super) mod listed;
 mod text;
 
 use nply::mechanics::{CableGrips, CableState, LayerSupport, LetsGo};

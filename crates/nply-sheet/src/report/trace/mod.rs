@@ -12,7 +12,7 @@ use nply::mechanics::{
     Twist,
 };
 
-use self::stop::Stop;
+pub(super) use self::stop::Stop;
 use self::words::{brief, happened, why};
 use super::Known;
 use crate::key::Group;

@@ -11,7 +11,7 @@ use crate::report::Measure;
 use crate::report::item::{Item, item};
 
 /// A state on a path.
-pub(super) trait Stop: Copy + Debug + PartialEq + 'static {
+pub(in crate::report) trait Stop: Copy + Debug + PartialEq + 'static {
     /// Every number, in the order of the report.
     const NUMBERS: &'static [Item<Self>];
     /// Those that a reader's table has whether they change or not.

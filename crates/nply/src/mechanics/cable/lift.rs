@@ -71,7 +71,10 @@ impl CableState {
     /// ```
     #[must_use]
     pub fn lift_off(&self, ends_cannot_turn: bool) -> Option<LiftOff> {
-        self.least_pressing().filter(|(.., pressing)| *pressing > 0.0)?;
+        let (layer, lets_go, pressing) = self.least_pressing().filter(|(.., pressing)| *pressing >= 0.0)?;
+        if pressing == 0.0 {
+            return Some(LiftOff { layer, lets_go, state: self.clone() }); // right here
+        }
         let turned = |strain: f64, turning: f64| self.cable().loaded(CableGrips::Clamped { strain, turning }).ok();
         let at = |strain: f64| {
             let mut here = turned(strain, self.turning())?;

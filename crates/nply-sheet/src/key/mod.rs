@@ -1,7 +1,9 @@
 //! The one list of everything that can be written of a ply: keys of the file, flags of the command line.
 
+mod construction;
+
 use crate::Dimension;
-use crate::construction::CONSTRUCTION_KEYS;
+pub use construction::CONSTRUCTION_KEYS;
 
 /// A table of the input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -34,6 +36,23 @@ impl Table {
     /// All tables of a ply, in the order in which a file is usually written.
     pub const ALL: [Self; 8] =
         [Self::Ply, Self::Strand, Self::Twist, Self::Lay, Self::Formed, Self::Load, Self::Ends, Self::Support];
+
+    /// What stands in it, on one line.
+    pub(crate) const fn about(self) -> &'static str {
+        match self {
+            Self::Ply => "The ply: number of strands, balance, hand",
+            Self::Strand => "Size and stiffness of a strand",
+            Self::Twist => "The twist put into the strands: one of these",
+            Self::Lay => "The shape of the ply, where it is given and not asked for: one of these",
+            Self::Formed => "The lay in which a ply of strands that stretch was made",
+            Self::Load => "What pulls and turns it",
+            Self::Ends => "How the ends are held, where a displacement is given instead of a load",
+            Self::Support => "A core that the strands may lie on or lift off from",
+            Self::Construction => "The layered strand as a whole",
+            Self::Core => "The king wire, or whatever the first layer lies on",
+            Self::Layer => "Wires alike, laid side by side",
+        }
+    }
 
     /// The name between the brackets.
     #[must_use]
@@ -144,6 +163,17 @@ impl Kind {
             Self::Moment => Some(Dimension::MOMENT),
             Self::ForcePerLength => Some(Dimension::FORCE_PER_LENGTH),
             Self::Density => Some(Dimension::DENSITY),
+        }
+    }
+
+    /// Whether a unit of this dimension is the one wanted once the temperature (kT) or the linear density (cN/tex) is known.
+    pub(crate) fn is_relative(self, found: Dimension) -> bool {
+        match self {
+            Self::Stiffness | Self::Force | Self::Moment | Self::ForcePerLength | Self::Pressure => {
+                self.dimension().and_then(|wanted| wanted.times(Dimension::TEMPERATURE, -1)) == Some(found)
+                    || (self == Self::Force && found == Dimension::SPECIFIC_STRESS)
+            }
+            _ => false,
         }
     }
 
@@ -351,6 +381,20 @@ impl Key {
                     | Datum::LayerPretwist
                     | Datum::CableTurning
             )
+    }
+
+    /// Whether it takes words, and no number.
+    pub(crate) const fn is_word(&self) -> bool {
+        matches!(self.kind, Kind::Balance | Kind::Hand | Kind::Text | Kind::Switch)
+    }
+
+    /// What the datum is called in a table: its flag, and its table before it where an answer of another meaning has that name.
+    pub(crate) fn column_name(&self) -> String {
+        let flag = self.flag.replace('-', "_");
+        match self.datum {
+            Datum::TorsionalStiffness | Datum::AxialStiffness => format!("strand_{flag}"),
+            _ => flag,
+        }
     }
 
     /// The key of a datum.

@@ -1,7 +1,6 @@
 //! The one list of everything that can be written of a layered strand.
 
-use crate::key::{Group, key};
-use crate::{Datum, Key, Kind, Table};
+use super::{Datum, Group, Key, Kind, Table, key};
 
 /// Every key of a layered strand, table by table.
 ///

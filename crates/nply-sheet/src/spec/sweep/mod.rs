@@ -1,30 +1,35 @@
 //! `[sweep]` of a file, and the same from flags.
 
+mod choice;
+mod name;
+mod run;
+
 use core::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::run::{Run, may_vary};
-use super::{Order, Question, Sample, States, refused};
+use super::file::{in_order, read_toml, ticked, unknown_key};
+use super::{Entry, Spec, read_text};
 use crate::key::nearest;
-use crate::spec::file::{in_order, read_toml, ticked, unknown_key};
-use crate::spec::{Entry, Spec, read_text};
-use crate::{ErrorKind, KEYS, Key, Kind, Place, SpecError, Table, quoted};
+use crate::{Datum, ErrorKind, KEYS, Key, Place, SpecError, Table, quoted};
+pub use choice::{Order, Question, Sample, States};
+pub(crate) use name::{find_key, key, unit_behind, unit_of};
+pub(crate) use run::{Course, Run};
 
 /// What is written of a study: every part with its place, none of them needed.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(crate) struct SweepSpec {
-    pub(super) runs: Vec<Run>,
-    pub(super) outputs: Option<Vec<(String, Place)>>,
-    pub(super) states: Option<(States, Place)>,
-    pub(super) order: Option<(Order, Place)>,
-    pub(super) sample: Option<(Sample, Place)>,
-    pub(super) points: Option<(u64, Place)>,
-    pub(super) seed: Option<(u64, Place)>,
-    pub(super) question: Option<(Question, Place)>,
-    pub(super) rows: Option<(String, Place)>,
-    pub(super) place: Option<Place>,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) outputs: Option<Vec<(String, Place)>>,
+    pub(crate) states: Option<(States, Place)>,
+    pub(crate) order: Option<(Order, Place)>,
+    pub(crate) sample: Option<(Sample, Place)>,
+    pub(crate) points: Option<(u64, Place)>,
+    pub(crate) seed: Option<(u64, Place)>,
+    pub(crate) question: Option<(Question, Place)>,
+    pub(crate) rows: Option<(String, Place)>,
+    pub(crate) place: Option<Place>,
 }
 
 /// What a study asks, as flags say it; what is empty is taken from the file.
@@ -59,6 +64,24 @@ pub struct SweepFlags {
     /// `contact`, `states` or `supports`; by what is given and asked, if not said.
     pub question: Option<String>,
 }
+
+/// The keys of `[sweep]` besides what varies, and what they mean.
+pub(crate) const SWEEP_KEYS: [(&str, &str); 8] = [
+    (
+        "outputs",
+        "What is asked: columns of `nply solve`, `nply support` or `nply contact`, with a unit behind the name if it is to be written in it",
+    ),
+    ("states", "Which states a row has: all, the stable ones, or the one continued from the row before; all if absent"),
+    ("order", "Each value with each (grid), or the first with the first (zip); grid if absent"),
+    ("sample", "How points are spread over the ranges, instead of a grid"),
+    ("points", "How many points a sample has"),
+    ("seed", "What tells one sample from another; 0 if absent"),
+    (
+        "question",
+        "What is found in every row: the contact of a lay, the states, or what supports them; by what is given, if absent",
+    ),
+    ("rows", "A file (CSV or Parquet) whose rows are the data"),
+];
 
 type Placed<'p> = &'p dyn Fn(Range<usize>) -> Place;
 
@@ -119,7 +142,7 @@ impl SweepSpec {
                 "points" => sweep.points = Some((whole().ok_or_else(|| wrong("a whole number, such as 1000"))?, at())),
                 "seed" => sweep.seed = Some((whole().ok_or_else(|| wrong("a whole number, such as 1"))?, at())),
                 _ => {
-                    let own = ["outputs", "states", "order", "sample", "points", "seed", "question", "rows"];
+                    let own = SWEEP_KEYS.map(|(name, _)| name);
                     let known = own.into_iter().chain(Table::ALL.into_iter().map(Table::name));
                     let help = nearest(written, known).map(|name| format!("did you mean `{name}`?"));
                     let message = format!(
@@ -141,7 +164,7 @@ impl SweepSpec {
         Ok(sweep)
     }
 
-    pub(super) fn of_flags(flags: &SweepFlags) -> Result<Self, SpecError> {
+    pub(crate) fn of_flags(flags: &SweepFlags) -> Result<Self, SpecError> {
         let place = |flag: &str| Place::Flag(flag.to_owned());
         let mut sweep = Self::default();
         for text in &flags.sweep {
@@ -175,7 +198,7 @@ impl SweepSpec {
     }
 
     /// This with what flags say laid over it.
-    pub(super) fn overridden_by(&self, flags: Self) -> Self {
+    pub(crate) fn overridden_by(&self, flags: Self) -> Self {
         let mut runs = self.runs.clone();
         let same =
             |a: &Run, b: &Run| a.key.datum == b.key.datum || (a.key.group.is_some() && a.key.group == b.key.group);
@@ -197,7 +220,7 @@ impl SweepSpec {
 }
 
 /// A whole number, also as 1e6.
-pub(super) fn whole_number(text: &str) -> Option<u64> {
+pub(crate) fn whole_number(text: &str) -> Option<u64> {
     const LARGEST: f64 = 9_007_199_254_740_992.0; // 2⁵³
     let text = text.replace('_', "");
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, from 0 to 2⁵³")]
@@ -309,54 +332,22 @@ fn unit(text: &str) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// The key of a name: `table.name`, a flag, or a name that only one key has.
-pub(super) fn key(name: &str, flag: &str) -> Result<&'static Key, SpecError> {
-    if let Some(key) = find_key(name) {
-        return Ok(key);
-    }
-    let full: Vec<String> = KEYS.iter().map(|key| format!("{}.{}", key.table.name(), key.name)).collect();
-    let near = nearest(name, full.iter().map(String::as_str).chain(KEYS.iter().map(|key| key.flag)));
-    let help = near.map(|name| format!("did you mean `{name}`?"));
-    Err(refused(ErrorKind::UnknownKey, flag, format!("{} is no datum of a ply", quoted(name))).with_help(help))
-}
-
-/// The same, if there is one.
-pub(super) fn find_key(name: &str) -> Option<&'static Key> {
-    let flag = name.trim_start_matches("--").replace('_', "-");
-    let full = |key: &&'static Key| {
-        name.split_once('.').is_some_and(|(table, rest)| table == key.table.name() && rest == key.name)
+/// Refuses what has the same value for a whole table.
+pub(crate) fn may_vary(key: &'static Key, place: &Place) -> Result<(), SpecError> {
+    let why = match key.datum {
+        Datum::Title => "a title is one for the whole study: give it in [ply]",
+        Datum::Stretch => "whether strands stretch is one for the whole study: give it in [strand]",
+        _ => return Ok(()),
     };
-    let prefixed = |key: &&'static Key| super::run::name(key) == name;
-    let only = || {
-        let mut named = KEYS.iter().filter(|key| key.name == name);
-        named.next().filter(|_| named.next().is_none())
-    };
-    let found = KEYS.iter().find(full).or_else(|| KEYS.iter().find(|key| key.flag == flag));
-    found.or_else(|| KEYS.iter().find(prefixed)).or_else(only)
+    Err(SpecError::new(ErrorKind::Contradiction, place.clone(), format!("`{}`: {why}", key.name)).of_key(key.name))
 }
 
-/// The unit that a name has behind a key's: `lay_length_mm`, `force_kN`, `turns_per_length_turns_per_m`.
-pub(super) fn unit_behind(key: &Key, suffix: &str) -> Option<crate::Unit> {
-    let unit = unit_of(suffix)?;
-    let fits = key.kind.dimension() == Some(unit.dimension()) || key.kind.is_relative(unit.dimension());
-    (fits && key.kind != Kind::Count && key.kind != Kind::Number).then_some(unit)
+pub(crate) fn refused(kind: ErrorKind, flag: &str, message: impl Into<String>) -> SpecError {
+    SpecError::new(kind, Place::Flag(flag.to_owned()), message)
 }
 
-/// The unit that a suffix stands for.
-pub(super) fn unit_of(suffix: &str) -> Option<crate::Unit> {
-    let spaced = suffix.replace("_per_", "/").replace('_', " ");
-    let spaced = spaced.strip_prefix("per ").map_or(spaced.clone(), |rest| format!("1/{rest}"));
-    // N m2 stands for N m^2
-    let mut written = String::new();
-    let mut before = ' ';
-    for c in spaced.chars() {
-        if c.is_ascii_digit() && before.is_alphabetic() {
-            written.push('^');
-        }
-        written.push(c);
-        before = c;
-    }
-    crate::Unit::parse(&written).ok()
+pub(crate) fn refused_at(kind: ErrorKind, place: &Place, message: impl Into<String>) -> SpecError {
+    SpecError::new(kind, place.clone(), message)
 }
 
 impl Spec {

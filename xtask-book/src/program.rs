@@ -1,0 +1,63 @@
+//! A program shown whole, and below it what it says: `python path` or `rust path`.
+
+use std::fs;
+use std::process::Command;
+
+use crate::command::Runner;
+use crate::fence::fenced;
+use crate::site::Site;
+
+/// The program and its output in the page.
+pub(crate) fn expand(wish: &str, site: &Site, runner: &Runner) -> Result<String, String> {
+    let (language, path) = wish.split_once(' ').ok_or("wanted is a language and a path")?;
+    let path = path.trim();
+    let source = fs::read_to_string(site.root.join(path)).map_err(|error| format!("cannot read {path}: {error}"))?;
+    let said = match language {
+        "python" => match &site.python {
+            Some(python) => runner.hear(Command::new(python).arg(path))?,
+            None => return Ok(shown(language, path, &source, "")),
+        },
+        "rust" => {
+            let (package, example) = example(path).ok_or("wanted is crates/NAME/examples/NAME.rs")?;
+            let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+            cargo.args(["run", "--quiet", "--package", package, "--example", example]);
+            if site.is_release() {
+                cargo.arg("--release");
+            }
+            runner.hear(&mut cargo)?
+        }
+        other => return Err(format!("`{other}` is neither python nor rust")),
+    };
+    if said.code != Some(0) {
+        return Err(format!("{path} ended with {:?}\n{}", said.code, said.error.trim_end()));
+    }
+    Ok(shown(language, path, &source, &said.output))
+}
+
+fn shown(language: &str, path: &str, source: &str, output: &str) -> String {
+    let mut page =
+        format!("\n<div class=\"console program\">\n\n<p class=\"path\">{path}</p>\n\n{}\n", fenced(language, source));
+    if !output.trim().is_empty() {
+        page.push_str(&fenced("text,said", output));
+        page.push('\n');
+    }
+    page.push_str("</div>\n\n");
+    page
+}
+
+/// Package and name of an example by its path.
+fn example(path: &str) -> Option<(&str, &str)> {
+    let (package, file) = path.strip_prefix("crates/")?.split_once("/examples/")?;
+    Some((package, file.strip_suffix(".rs")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_example_is_named_by_its_path() {
+        assert_eq!(example("crates/nply/examples/yarn.rs"), Some(("nply", "yarn")));
+        assert_eq!(example("crates/nply/src/lib.rs"), None);
+    }
+}

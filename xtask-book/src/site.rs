@@ -1,0 +1,36 @@
+//! Where the project stands, and the programs its book runs.
+
+use std::path::{Path, PathBuf};
+
+/// Folders and programs; all paths absolute.
+#[derive(Debug, Clone)]
+pub struct Site {
+    /// The project's root, in which every command runs.
+    pub root: PathBuf,
+    /// Where commands write their files; the pictures among them go into the book.
+    pub made: PathBuf,
+    /// The command that is called `nply` in the chapters.
+    pub command: PathBuf,
+    /// A Python that has the package; without one Python programs are shown and not run.
+    pub python: Option<PathBuf>,
+}
+
+impl Site {
+    /// The workspace this crate was built in, with its files under `made`.
+    #[must_use]
+    pub fn here(made: PathBuf, command: PathBuf, python: Option<PathBuf>) -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+        Self { root, made, command, python }
+    }
+
+    /// Where the chapters stand.
+    #[must_use]
+    pub fn source(&self) -> PathBuf {
+        self.root.join("book/src")
+    }
+
+    /// Whether what is built beside the command is built as a release too.
+    pub(crate) fn is_release(&self) -> bool {
+        self.command.components().any(|part| part.as_os_str() == "release")
+    }
+}
