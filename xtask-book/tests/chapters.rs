@@ -6,7 +6,20 @@ use std::process::Command;
 use xtask_book::{Book, Equations, Katex, Site, Summary, formulas};
 
 /// Chapters that the summary lists and that are not written yet. When the last is, this list goes.
-const AWAITED: [&str; 16] = [
+const AWAITED: [&str; 3] = [
+    "reference/python.md",
+    "reference/rust.md",
+    "evidence/hardening.md",
+];
+const AWAITED: [&str; 23] = [
+    "theory/balance.md",
+    "theory/pretwist.md",
+    "theory/loads.md",
+    "theory/stiffness.md",
+    "theory/link.md",
+    "theory/stretch.md",
+    "theory/differences.md",
+    "theory/limits.md",
     "jobs/strand-designer.md",
     "jobs/finite-element.md",
     "jobs/rope-and-mooring.md",
@@ -22,7 +35,6 @@ const AWAITED: [&str; 16] = [
     "reference/python.md",
     "reference/rust.md",
     "evidence/hardening.md",
-    "evidence/speed.md",
 ];
 
 fn root() -> PathBuf {

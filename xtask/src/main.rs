@@ -6,6 +6,7 @@
 //!     cargo xtask book          the book, into target/book/html: every command in it run, every formula set
 //!     cargo xtask python        the Python package: its wheel, installed and tested
 //!     cargo xtask bench         the benches
+//!     cargo xtask race 5        ours and scripts in Python in turn; writes authorities/speed.md
 //!     cargo xtask figures       draws the figures of docs/figures anew
 //!     cargo xtask validate      every published number beside ours, as Markdown; --json as JSON
 //!     cargo xtask authorities   remakes the golden tables and compares them with those committed
@@ -16,6 +17,7 @@ mod book;
 mod figures;
 mod npm;
 mod python;
+mod race;
 mod soak;
 mod step;
 mod test;
@@ -26,7 +28,7 @@ mod web;
 use std::process::ExitCode;
 
 const USAGE: &str =
-    "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|figures|validate [--json]|authorities>";
+    "usage: cargo xtask <test|soak [rounds]|web|book|python|bench|race [rounds]|figures|validate [--json]|authorities>";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -37,6 +39,8 @@ fn main() -> ExitCode {
         ["web"] => web::build(),
         ["book"] => book::run(),
         ["bench"] => bench::run(),
+        ["race"] => race::run("5"),
+        ["race", rounds] => race::run(rounds),
         ["figures"] => figures::run(),
         ["validate"] => validate::run(&[]),
         ["validate", "--json"] => validate::run(&["--json"]),

@@ -55,7 +55,7 @@ pub(crate) fn page() -> Result<String, Box<dyn Error>> {
     page.push_str(&good_enough());
     let x = Axis::new("lay angle", "deg").with_range(0.0, 45.0);
     let mut chart =
-        Chart::new("Lay radius by formula, less the true one", x, Axis::new("error", "%").with_range(-20.0, 0.0));
+        Chart::new("Lay radius by formula, less the true one", x, Axis::new("error", "%").with_range(-20.0, 1.0));
     for n in [3, 6, 24] {
         for (name, formula) in FORMULAS {
             let points = range(0.0, 45.0, 180).map(|angle| (angle, 100.0 * error(formula, n, angle.to_radians())));

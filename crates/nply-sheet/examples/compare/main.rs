@@ -9,6 +9,7 @@ mod barrels;
 mod elements;
 mod layers;
 mod page;
+mod rods;
 mod spinners;
 mod strings;
 mod wires;
@@ -23,10 +24,11 @@ fn main() -> ExitCode {
         "layers" => layers::page(),
         "wires" => wires::page(),
         "elements" => elements::page(),
+        "rods" => rods::page(),
         "barrels" => barrels::page(),
         "strings" => strings::page(),
         "spinners" => spinners::page(),
-        _ => Err("wanted is one of layers, wires, elements, barrels, strings, spinners".into()),
+        _ => Err("wanted is one of layers, wires, elements, rods, barrels, strings, spinners".into()),
     };
     match page {
         Ok(page) => {

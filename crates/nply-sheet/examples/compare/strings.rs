@@ -49,8 +49,8 @@ pub(crate) fn page() -> Result<String, Box<dyn Error>> {
     }
     page.push_str(&limits()?);
     let x = Axis::new("share of the most turns", "%").with_range(0.0, 100.0);
-    let y = Axis::new("error of the torque", "%").with_range(-60.0, 0.0);
-    let mut chart = Chart::new("Torque by the formula of a constant radius, less the true one", x, y);
+    let y = Axis::new("error of the torque", "%").with_range(-60.0, 5.0);
+    let mut chart = Chart::new("Torque by constant radius, less the true one", x, y);
     for n in STRINGS {
         let points: Result<Vec<_>, Box<dyn Error>> =
             range(0.005, 0.995, 198).map(|share| Ok((100.0 * share, 100.0 * errors(n, share)?.1))).collect();
