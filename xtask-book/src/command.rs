@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
+use crate::kept::Kept;
 use crate::site::Site;
 
 /// What a command said.
@@ -31,6 +32,7 @@ type Heard = Result<Said, String>;
 pub(crate) struct Runner {
     path: OsString,
     root: PathBuf,
+    kept: Option<Kept>,
     said: Mutex<HashMap<String, Arc<OnceLock<Heard>>>>,
     slow: Mutex<Vec<(Duration, String)>>,
 }
@@ -43,20 +45,28 @@ impl Runner {
             folders.extend(std::env::split_paths(&path));
         }
         let path = std::env::join_paths(folders).map_err(|error| error.to_string())?;
-        Ok(Self { path, root: site.root.clone(), said: Mutex::default(), slow: Mutex::default() })
+        let kept = Kept::of(site).ok();
+        Ok(Self { path, root: site.root.clone(), kept, said: Mutex::default(), slow: Mutex::default() })
     }
 
     /// What a line, a command or a pipe, says.
-    pub(crate) fn run(&self, line: &str) -> Heard {
+    pub(crate) fn run(&self, placed: &Placed) -> Heard {
+        let line = placed.line.as_str();
         let cell = {
             let mut said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(said.entry(line.to_owned()).or_default())
         };
         cell.get_or_init(|| {
+            if let Some(said) = self.kept.as_ref().and_then(|kept| kept.find(line, &placed.paths)) {
+                return Ok(said);
+            }
             let start = Instant::now();
             let heard = self.hear(Command::new("sh").arg("-c").arg(line));
             if start.elapsed() > SLOW {
                 self.slow.lock().unwrap_or_else(PoisonError::into_inner).push((start.elapsed(), line.to_owned()));
+                if let (Some(kept), Ok(said)) = (&self.kept, &heard) {
+                    kept.keep(line, &placed.paths, said);
+                }
             }
             heard
         })
@@ -99,6 +109,8 @@ pub(crate) struct Placed {
     pub(crate) line: String,
     /// The bare names it writes.
     pub(crate) writes: Vec<String>,
+    /// Where these stand.
+    pub(crate) paths: Vec<PathBuf>,
 }
 
 impl Bench {
@@ -114,7 +126,7 @@ impl Bench {
     /// Puts a line's files into the folder: those it writes, and those that lines before it wrote.
     pub(crate) fn place(&mut self, line: &str) -> Placed {
         let words = words(line);
-        let mut placed = Placed { line: String::new(), writes: Vec::new() };
+        let mut placed = Placed { line: String::new(), writes: Vec::new(), paths: Vec::new() };
         let (mut copied, mut writes_next) = (0, false);
         for word in &words {
             let is_flag = |text: &str| matches!(text, "--output" | "-o" | "--plot");
@@ -135,6 +147,7 @@ impl Bench {
             }
         }
         placed.line.push_str(&line[copied..]);
+        placed.paths = placed.writes.iter().map(|name| self.path(name)).collect();
         self.names.extend(placed.writes.iter().cloned());
         placed
     }

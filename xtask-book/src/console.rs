@@ -103,7 +103,7 @@ pub(crate) fn expand(
             continue;
         }
         let placed = bench.place(&command);
-        let said = runner.run(&placed.line).map_err(failed)?;
+        let said = runner.run(&placed).map_err(failed)?;
         if said.code != Some(wish.exit) {
             return Err(failed(format!(
                 "ended with {} and not with {}\n{}",
@@ -160,7 +160,7 @@ fn on_dark(command: &str, name: &str, bench: &mut Bench, runner: &Runner) -> Res
     let Some((stem, ending)) = name.rsplit_once('.') else { return Ok(None) };
     let dark = format!("{stem}-dark.{ending}");
     let placed = bench.place(&format!("{} --dark", command.replace(name, &dark)));
-    let said = runner.run(&placed.line)?;
+    let said = runner.run(&placed)?;
     Ok((said.code == Some(0) && bench.path(&dark).exists()).then_some(dark))
 }
 

@@ -12,7 +12,7 @@ pub(crate) fn expand(wish: &str, chapter: &str, site: &Site, runner: &Runner) ->
     let file = if name.starts_with("table") { name.to_owned() } else { format!("figure-{name}") };
     let mut bench = Bench::new(site.made.join("figures"));
     for (ground, name) in [("", format!("{file}.svg")), (" --dark", format!("{file}-dark.svg"))] {
-        let said = runner.run(&bench.place(&format!("nply figure {figure} --output {name}{ground}")).line)?;
+        let said = runner.run(&bench.place(&format!("nply figure {figure} --output {name}{ground}")))?;
         if said.code != Some(0) {
             return Err(said.error.trim_end().to_owned());
         }

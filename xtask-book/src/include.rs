@@ -10,11 +10,11 @@ pub(crate) fn expand(wish: &str, site: &Site) -> Result<String, String> {
     let text =
         fs::read_to_string(site.root.join(path.trim())).map_err(|error| format!("cannot read {path}: {error}"))?;
     if section.is_empty() {
-        return Ok(text
-            .split_once("# ")
-            .and_then(|(_, rest)| rest.split_once('\n'))
-            .map_or("", |(_, rest)| rest)
-            .to_owned());
+        // a page of its own begins with its title, which the chapter has already
+        return Ok(match text.split_once('\n') {
+            Some((title, rest)) if depth(title) == 1 => rest.to_owned(),
+            _ => text,
+        });
     }
     let mut lines = text.lines();
     let heading = lines.by_ref().find(|line| line.starts_with('#') && line.trim_start_matches('#').trim() == section);
@@ -36,7 +36,7 @@ mod tests {
 
     #[test]
     fn a_section_ends_where_the_next_begins() {
-        let site = Site::here(PathBuf::new(), PathBuf::new(), None);
+        let site = Site::here(PathBuf::new(), PathBuf::new(), PathBuf::new(), None);
         let page = expand("docs/symbols.md", &site).unwrap();
         assert!(page.contains("## Geometry") && !page.contains("# Symbols"));
         let section = expand("docs/symbols.md | Geometry", &site).unwrap();

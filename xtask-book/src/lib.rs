@@ -12,6 +12,7 @@ mod fence;
 mod figure;
 mod include;
 mod katex;
+mod kept;
 mod links;
 mod made;
 mod math;

@@ -32,11 +32,13 @@ fn build(command: PathBuf, python: Option<PathBuf>) -> Result<(), String> {
     let out = out.canonicalize().map(|out| out.join("book")).map_err(|error| error.to_string())?;
     let made = out.join("made");
     emptied(&made)?;
-    let site = Site::here(made, command, python);
+    let site = Site::here(made, out.join("kept"), command, python);
     let katex = Katex::installed(&site.root).ok_or("KaTeX is not installed: `npm ci` in book/")?;
 
     let start = Instant::now();
-    let book = Book::expand(&site, |_| true).map_err(|failures| {
+    // for whoever writes a chapter and wants to see it alone; the others stay as they are written
+    let only = std::env::var("CHAPTER").unwrap_or_default();
+    let book = Book::expand(&site, |chapter| chapter.contains(&only)).map_err(|failures| {
         let lines: Vec<String> = failures.iter().map(ToString::to_string).collect();
         lines.join("\n")
     })?;

@@ -9,6 +9,8 @@ pub struct Site {
     pub root: PathBuf,
     /// Where commands write their files; the pictures among them go into the book.
     pub made: PathBuf,
+    /// Where answers of slow commands are kept from one time to the next.
+    pub kept: PathBuf,
     /// The command that is called `nply` in the chapters.
     pub command: PathBuf,
     /// A Python that has the package; without one Python programs are shown and not run.
@@ -16,11 +18,11 @@ pub struct Site {
 }
 
 impl Site {
-    /// The workspace this crate was built in, with its files under `made`.
+    /// The workspace this crate was built in; files are written under `made`, slow answers kept under `kept`.
     #[must_use]
-    pub fn here(made: PathBuf, command: PathBuf, python: Option<PathBuf>) -> Self {
+    pub fn here(made: PathBuf, kept: PathBuf, command: PathBuf, python: Option<PathBuf>) -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-        Self { root, made, command, python }
+        Self { root, made, kept, command, python }
     }
 
     /// Where the chapters stand.

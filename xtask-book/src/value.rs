@@ -13,7 +13,7 @@ pub(crate) fn expand(wish: &str, bench: &mut Bench, runner: &Runner) -> Result<S
         Some((path, factor)) => (path, factor.trim().parse().map_err(|_| format!("`{factor}` is no number"))?),
         None => (path, 1.0),
     };
-    let said = runner.run(&bench.place(command).line)?;
+    let said = runner.run(&bench.place(command))?;
     if said.code != Some(0) {
         return Err(format!("`{command}` ended with {:?}\n{}", said.code, said.error.trim_end()));
     }

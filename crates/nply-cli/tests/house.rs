@@ -213,3 +213,87 @@ fn every_symbol_has_its_name_in_the_code() {
     assert!(unknown.is_empty(), "docs/symbols.md has names that the code has not: {unknown:?}");
     assert!(names.len() > 30);
 }
+
+/// Every name of a schema.
+fn names(schema: &serde_json::Value, found: &mut std::collections::BTreeSet<String>) {
+    match schema {
+        serde_json::Value::Object(object) => {
+            if let Some(serde_json::Value::Object(properties)) = object.get("properties") {
+                found.extend(properties.keys().cloned());
+            }
+            object.values().for_each(|value| names(value, found));
+        }
+        serde_json::Value::Array(all) => all.iter().for_each(|value| names(value, found)),
+        _ => {}
+    }
+}
+
+/// What is read and what is written can be looked up: each name stands in docs/symbols.md or docs/json.md, in SI without its unit.
+#[test]
+fn every_name_that_is_read_or_written_is_told_of() {
+    const UNITS: [&str; 14] = [
+        "_kg_per_m",
+        "_N_per_m",
+        "_rad_per_m_per_N",
+        "_rad_per_m",
+        "_N_m2",
+        "_N_m",
+        "_m2",
+        "_Pa",
+        "_N",
+        "_m",
+        "_deg",
+        "_percent",
+        "_kg",
+        "_turns",
+    ];
+    let docs = read("docs/symbols.md") + &read("docs/json.md");
+    let told: std::collections::BTreeSet<&str> = docs.split('`').skip(1).step_by(2).collect();
+    let mut wanted = std::collections::BTreeSet::new();
+    for report in &nply_sheet::schema::REPORTS {
+        names(&report.schema(), &mut wanted);
+    }
+    let outputs = wanted.len();
+    let keys = nply_sheet::KEYS.iter().chain(&nply_sheet::construction::CONSTRUCTION_KEYS);
+    wanted.extend(keys.map(|key| key.name.to_owned()));
+    assert!(outputs > 200 && wanted.len() > outputs);
+    let bare = |name: &str| UNITS.iter().find_map(|unit| name.strip_suffix(unit)).map(str::to_owned);
+    let untold: Vec<&String> = wanted
+        .iter()
+        .filter(|name| !told.contains(name.as_str()) && bare(name).is_none_or(|bare| !told.contains(bare.as_str())))
+        .collect();
+    assert!(untold.is_empty(), "neither docs/symbols.md nor docs/json.md tells of {untold:?}");
+}
+
+/// Each equation that the table of symbols names has its text beside the theory: `eq38.md`, `eqA30.md`, or one for several, `eq34_36.md`.
+#[test]
+fn every_equation_that_a_symbol_names_has_its_text() {
+    let texts = fs::read_dir(root().join("crates/nply/src/equations")).unwrap();
+    let mut known = std::collections::BTreeSet::new();
+    for entry in texts {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let Some(numbers) = name.strip_prefix("eq").and_then(|rest| rest.strip_suffix(".md")) else { continue };
+        let appendix = numbers.starts_with('A');
+        let ends: Option<Vec<u32>> =
+            numbers.trim_start_matches('A').split('_').map(|number| number.parse().ok()).collect();
+        if let Some([first, .., last] | [first @ last]) = ends.as_deref() {
+            known.extend((*first..=*last).map(|number| (appendix, number)));
+        }
+    }
+    assert!(known.len() > 100, "{}", known.len());
+    let table = read("docs/symbols.md");
+    let mut count = 0;
+    for row in table.lines().filter(|line| line.starts_with("| ")) {
+        let Some(cell) = row.split('|').nth(4) else { continue };
+        for named in cell.split('(').skip(1).filter_map(|rest| rest.split(')').next()) {
+            let appendix = named.starts_with("A.");
+            let Ok(number) = named.trim_start_matches("A.").parse::<u32>() else { continue };
+            assert!(
+                known.contains(&(appendix, number)),
+                "docs/symbols.md names ({named}), of which there is no text: {row}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 40, "{count}");
+}

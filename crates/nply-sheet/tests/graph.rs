@@ -3,11 +3,20 @@
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Load, Ply, Twist};
-use nply_sheet::Spec;
 use nply_sheet::graph::{Graph, GraphCurve, GraphFlags, Scales};
+use nply_sheet::{KEYS, Spec};
 
 fn ply(flags: &[(&str, &str)]) -> Spec {
     Spec::from_flags(flags.iter().copied()).unwrap()
+}
+
+/// The same as a file has it: what runs may take its place.
+fn written(flags: &[(&str, &str)]) -> Spec {
+    let line = |(flag, value): &(&str, &str)| {
+        let key = KEYS.iter().find(|key| key.flag == *flag).unwrap();
+        format!("{}.{} = {value:?}\n", key.table.name(), key.name)
+    };
+    Spec::from_toml("ply.toml", &flags.iter().map(line).collect::<String>()).unwrap()
 }
 
 fn graph(ply: &Spec, range: &str, ask: &[&str]) -> Graph {
@@ -49,7 +58,7 @@ fn curves_hold_every_state_and_no_other() {
             let solver = Ply::with_balance(strands, 0.75, balance).unwrap();
             let number = strands.to_string();
             for (range, solve) in courses {
-                let spec = ply(&[
+                let spec = written(&[
                     ("strands", &number),
                     ("balance", balance.name()),
                     ("stiffness-ratio", "0.75"),
@@ -185,7 +194,7 @@ fn held_ends_run_too() {
         assert!((point.state.contact().helical_angle().cos() - point.x).abs() < 1e-12);
         assert!(point.state.balance_residual().abs() < 1e-10);
     }
-    let held = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3"), ("length-ratio", "0.9")]);
+    let held = written(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3"), ("length-ratio", "0.9")]);
     let curves = graph(&held, "pretwist=-1..1", &["force"]).curves();
     let hands = curves.iter().map(|curve| curve.handedness).collect::<std::collections::HashSet<_>>();
     assert_eq!(hands.len(), 2);

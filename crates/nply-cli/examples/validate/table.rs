@@ -39,13 +39,12 @@ fn summary(rows: &[Row]) -> String {
 }
 
 fn table(published: &Published, rows: &[&Row]) -> String {
-    let mut text =
-        "| | quantity | source | published | nply | difference | |\n|---|---|---|---|---|---|---|\n".to_owned();
+    let mut text = "| | quantity and source | published | nply | difference |\n|---|---|---|---|---|\n".to_owned();
     let (mut reasons, mut commands) = (String::new(), String::new());
     for (index, row) in rows.iter().enumerate() {
         let (number, n) = (row.number, index + 1);
         let place = number.place.as_ref().map(|place| format!(", {place}")).unwrap_or_default();
-        let source = format!("[{}](#sources){place}{}", source_number(published, row), said_how(number.trust));
+        let source = format!("source [{}](#sources){place}{}", source_number(published, row), said_how(number.trust));
         let printed = number.printed.as_ref().map(|printed| format!("{printed} = ")).unwrap_or_default();
         let shown = minus(&number.published);
         let unit = match number.unit.as_str() {
@@ -55,15 +54,17 @@ fn table(published: &Published, rows: &[&Row]) -> String {
         };
         let ours = row.ours.map_or_else(|| "–".to_owned(), |value| shown_ours(row, value));
         let difference = match (row.agreement(), row.difference()) {
-            (Agreement::Digits, _) => "0".to_owned(),
+            (Agreement::Digits, _) => "every digit".to_owned(),
+            (Agreement::Tolerance, Some(value)) => {
+                format!("{}, within tolerance", signed(value, row.published.decimals + 1))
+            }
             (_, Some(value)) => signed(value, row.published.decimals + 1),
-            (_, None) => "–".to_owned(),
+            (_, None) => "not remade".to_owned(),
         };
+        let quantity = &number.quantity;
         let _ = writeln!(
             text,
-            "| {n} | {} | {source} | {printed}{shown}{unit} | {ours} | {difference} | {} |",
-            number.quantity,
-            mark(row.agreement())
+            "| {n} | {quantity}<br><small>{source}</small> | {printed}{shown}{unit} | {ours} | {difference} |"
         );
         if let Some(why) = &number.why {
             let _ = writeln!(reasons, "- **{n}** {why}");
@@ -125,7 +126,8 @@ fn minus(text: &str) -> String {
 /// Two digits more than print has; of an exact number no zeros behind it.
 fn shown_ours(row: &Row, value: f64) -> String {
     let text = rounded(value, row.published.decimals + 2);
-    if row.number.exact { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    let whole = !row.number.exact || !text.contains('.');
+    if whole { text } else { text.trim_end_matches('0').trim_end_matches('.').to_owned() }
 }
 
 /// A zero has no digits.

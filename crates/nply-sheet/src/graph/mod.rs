@@ -104,6 +104,7 @@ impl Spec {
                 "equal lengths for equal ratios have no place for 0 and what is below: let the range lie above 0";
             return Err(refused(ErrorKind::Domain, "log-x", message));
         }
+        self.keeps_flags_beside(&from)?;
         let mut plies: Vec<Self> = vec![self.clone()];
         let mut vary = |flag: &str, values: Vec<String>| -> Result<(), SpecError> {
             if values.is_empty() {

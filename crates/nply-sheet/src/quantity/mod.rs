@@ -154,13 +154,16 @@ impl Quantity {
             let behind = || read.strip_suffix(name).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
             Some((before.or_else(behind)?.trim(), of_one))
         });
-        let Some((count, of_one)) = count else { return Self::parse(text) };
-        if count.contains('/') {
+        // 30/2, with or without the name of its count
+        let whole = |part: &str| part.trim().parse::<u32>().is_ok();
+        let folded = |text: &str| text.split_once('/').is_some_and(|(count, fold)| whole(count) && whole(fold));
+        if count.is_some_and(|(count, _)| count.contains('/')) || folded(read) {
             return Err(QuantityError::BadUnit {
                 unit: crate::quoted(read),
                 reason: "a folded count is that of a ply; give the count of one strand, as in \"Ne 30\"",
             });
         }
+        let Some((count, of_one)) = count else { return Self::parse(text) };
         let Self::Bare(number) = Self::parse(count)? else {
             return Err(QuantityError::NotANumber { read: crate::quoted(read) });
         };

@@ -84,6 +84,20 @@ impl Entry {
         Err(self.error(ErrorKind::Domain, format!("{}: a {what} must be greater than 0", self.said())))
     }
 
+    /// The value, if what follows from it can be given back in the units of a strand that has a size.
+    pub(crate) fn measurable(&self, value: f64) -> Result<f64, SpecError> {
+        const MOST: f64 = 1e60;
+        if value.abs() <= MOST {
+            return Ok(value);
+        }
+        let message = format!(
+            "{} is {value:e} by the strand's own measure; where the strand has a size, numbers of {:e} to {MOST:e} are taken",
+            self.said(),
+            -MOST
+        );
+        Err(self.error(ErrorKind::Domain, message))
+    }
+
     /// The value, if it is finite still after it was made dimensionless.
     pub(crate) fn finite(&self, value: f64) -> Result<f64, SpecError> {
         if value.is_finite() {

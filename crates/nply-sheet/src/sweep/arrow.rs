@@ -79,6 +79,9 @@ impl Study {
             (columns, self.solve_given(&given, &cells)?)
         };
         let (places, columns) = answers;
+        let rows = rows.project(&Self::carried(&given)).map_err(|error| {
+            refused(ErrorKind::WrongType, "rows", format!("the rows cannot be carried over: {error}"))
+        })?;
         let fields: Vec<Arc<Field>> =
             rows.schema().fields().iter().cloned().chain(own.iter().map(|column| Arc::new(field(column)))).collect();
         let metadata: std::collections::HashMap<String, String> =

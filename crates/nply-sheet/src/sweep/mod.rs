@@ -22,7 +22,7 @@ use crate::spec::Spec;
 use crate::spec::sweep::{Run, SweepSpec, refused, refused_at};
 use crate::spec::toml_text;
 use crate::table::{Column, Values};
-use crate::{ErrorKind, SpecError, quoted};
+use crate::{ErrorKind, Key, Place, SpecError, quoted};
 use places::{Exact, Places};
 use plan::{GivenKey, Plan};
 use sample::Points;
@@ -60,6 +60,11 @@ enum Layout {
     Given,
 }
 
+/// Whether every table of a study has a column of this name beside what varies and what is asked.
+fn is_of_every_table(name: &str) -> bool {
+    ["state", "reason"].contains(&name)
+}
+
 /// More rows than this are no table.
 const MOST_ROWS: u64 = 1 << 48;
 
@@ -84,6 +89,8 @@ impl Study {
                 return Err(refused_at(ErrorKind::Contradiction, &run.place, message));
             }
         }
+        let varied: Vec<&'static Key> = written.runs.iter().map(|run| run.key).collect();
+        base.keeps_flags_beside(&plan::placeholders(&base, &varied, &Place::Flag("sweep".to_owned())))?;
         let states = written.states.as_ref().map_or(States::default(), |(states, _)| *states);
         let neighbours = |why: &str| match &written.states {
             Some((States::Continued, place)) => {
@@ -204,7 +211,7 @@ impl Study {
         chunk
     }
 
-    /// The columns that answers to given rows have, beside which stand the given columns: `state`, what is asked, `reason`. An answer whose
+    /// The columns that answers to given rows have, beside which stand the given columns that are [`carried`](Study::carried): `state`, what is asked, `reason`. An answer whose
     /// name a given datum has already is left out.
     ///
     /// # Errors
@@ -212,6 +219,21 @@ impl Study {
     pub fn given_columns(&self, given: &[Column]) -> Result<Vec<Column>, SpecError> {
         let (plan, _) = self.plan_of(given)?;
         Ok(plan.columns)
+    }
+
+    /// Which of the given columns, by their places, stand in the table beside the answers: all but `state` and `reason`, which every table
+    /// of a study has. A table that an earlier study made can so be given as rows; its own `state` and `reason` take the place of the old.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// use nply_sheet::sweep::{Study, SweepFlags};
+    /// use nply_sheet::table::{Column, Kind};
+    /// let given = ["row", "pretwist", "state", "reason"].map(|name| Column::new(name, Kind::Text));
+    /// assert_eq!(Study::carried(&given), [0, 1]);
+    /// ```
+    #[must_use]
+    pub fn carried(given: &[Column]) -> Vec<usize> {
+        (0..given.len()).filter(|at| !is_of_every_table(&given[*at].name)).collect()
     }
 
     /// Answers to given rows: for each row of answers the place of the given row, from 0, and the columns that [`Study::given_columns`] tells.
@@ -266,9 +288,14 @@ impl Study {
         let mut plan = Plan::new(&self.base, &self.written, keys, states)?;
         // what is given stands there already
         let own = plan.columns.split_off(1 + plan.given.len());
-        if let Some(twice) = own.iter().find(|column| given.iter().any(|other| other.name == column.name)) {
-            let message =
-                format!("column {} would stand in the table twice: give it another name", quoted(&twice.name));
+        let is_twice =
+            |column: &&Column| !is_of_every_table(&column.name) && given.iter().any(|other| other.name == column.name);
+        if let Some(twice) = own.iter().find(is_twice) {
+            let message = format!(
+                "column {} would stand in the table twice, as it is given and as an answer: give it another name there, or ask for others \
+                 (--outputs)",
+                quoted(&twice.name)
+            );
             return Err(refused(ErrorKind::Contradiction, "rows", message));
         }
         plan.columns = own;

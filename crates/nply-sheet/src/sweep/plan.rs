@@ -343,8 +343,8 @@ impl Plan {
     }
 }
 
-/// A description without what these data take the place of.
-fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
+/// A row that gives these data, whatever their values.
+pub(super) fn placeholders(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
     let mut row = base.nothing_given();
     row.entries = keys
         .iter()
@@ -355,7 +355,12 @@ fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
             written: String::new(),
         })
         .collect();
-    let mut rest = base.onward(&row);
+    row
+}
+
+/// A description without what these data take the place of.
+fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
+    let mut rest = base.onward(&placeholders(base, keys, place));
     rest.entries.retain(|entry| keys.iter().all(|key| key.datum != entry.key.datum));
     rest
 }
