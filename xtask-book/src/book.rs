@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 use crate::command::{Bench, Runner};
 use crate::equation::Equations;
@@ -33,6 +34,8 @@ pub struct Book {
     pub summary: Summary,
     /// The chapters that are there, in order.
     pub chapters: Vec<Chapter>,
+    /// Commands that took longer than some seconds, and how long.
+    pub slow: Vec<(Duration, String)>,
 }
 
 impl Book {
@@ -76,7 +79,7 @@ impl Book {
             failures = links::broken(&chapters, &summary, |path| source.join(path).is_file());
             failures.extend(unlisted(&source, &source, &summary));
         }
-        if failures.is_empty() { Ok(Self { summary, chapters }) } else { Err(failures) }
+        if failures.is_empty() { Ok(Self { summary, chapters, slow: runner.slow() }) } else { Err(failures) }
     }
 }
 

@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 use crate::site::Site;
 
@@ -19,6 +20,9 @@ pub(crate) struct Said {
     pub(crate) error: String,
 }
 
+/// What is told of, for whoever waits for the book.
+const SLOW: Duration = Duration::from_secs(3);
+
 /// What a command said, or why it cannot be run.
 type Heard = Result<Said, String>;
 
@@ -28,6 +32,7 @@ pub(crate) struct Runner {
     path: OsString,
     root: PathBuf,
     said: Mutex<HashMap<String, Arc<OnceLock<Heard>>>>,
+    slow: Mutex<Vec<(Duration, String)>>,
 }
 
 impl Runner {
@@ -38,7 +43,7 @@ impl Runner {
             folders.extend(std::env::split_paths(&path));
         }
         let path = std::env::join_paths(folders).map_err(|error| error.to_string())?;
-        Ok(Self { path, root: site.root.clone(), said: Mutex::default() })
+        Ok(Self { path, root: site.root.clone(), said: Mutex::default(), slow: Mutex::default() })
     }
 
     /// What a line, a command or a pipe, says.
@@ -47,7 +52,20 @@ impl Runner {
             let mut said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(said.entry(line.to_owned()).or_default())
         };
-        cell.get_or_init(|| self.hear(Command::new("sh").arg("-c").arg(line))).clone()
+        cell.get_or_init(|| {
+            let start = Instant::now();
+            let heard = self.hear(Command::new("sh").arg("-c").arg(line));
+            if start.elapsed() > SLOW {
+                self.slow.lock().unwrap_or_else(PoisonError::into_inner).push((start.elapsed(), line.to_owned()));
+            }
+            heard
+        })
+        .clone()
+    }
+
+    /// The commands that took long, and how long.
+    pub(crate) fn slow(self) -> Vec<(Duration, String)> {
+        self.slow.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// What a program says, run in the root.

@@ -4,18 +4,20 @@ use crate::command::{Bench, Runner, Said};
 use crate::fence::fenced;
 use crate::picture;
 
-/// The words after `nply` in a block's info string.
+/// The words after `nply` in a block's info string: which lines of the output are shown; whether the command is not; whether the output is Markdown and part of the chapter; the
+/// exit code that is right; the caption of the pictures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Wish {
     ranges: Option<Vec<(usize, usize)>>,
     hide: bool,
+    raw: bool,
     exit: i32,
     caption: String,
 }
 
 impl Wish {
     fn read(info: &str) -> Result<Self, String> {
-        let mut wish = Self { ranges: None, hide: false, exit: 0, caption: String::new() };
+        let mut wish = Self { ranges: None, hide: false, raw: false, exit: 0, caption: String::new() };
         let mut rest = info.trim();
         while !rest.is_empty() {
             let (word, after) = match rest.strip_prefix("caption=\"") {
@@ -31,8 +33,9 @@ impl Wish {
                 Some(("lines", list)) => wish.ranges = Some(ranges(list)?),
                 Some(("exit", code)) => wish.exit = code.parse().map_err(|_| format!("`{word}`: no exit code"))?,
                 None if word == "hide" => wish.hide = true,
+                None if word == "raw" => wish.raw = true,
                 None if word.is_empty() => {}
-                _ => return Err(format!("`{word}` is none of lines=1-12, hide, exit=1, caption=\"…\"")),
+                _ => return Err(format!("`{word}` is none of lines=1-12, hide, raw, exit=1, caption=\"…\"")),
             }
         }
         Ok(wish)
@@ -87,12 +90,13 @@ pub(crate) fn expand(
     if commands.is_empty() {
         return Err((0, "the block has no command".to_owned()));
     }
-    let mut page = String::from("<div class=\"console\">\n\n");
+    let (open, close) = if wish.raw { ("\n", "\n\n") } else { ("<div class=\"console\">\n\n", "</div>\n\n") };
+    let mut page = String::new();
     let mut pictures = String::new();
     for (at, command) in commands {
         let failed = |why: String| (at + 1, format!("`{command}`: {why}"));
         if !wish.hide {
-            page.push_str(&fenced("sh", &command));
+            page.push_str(&fenced("text,command", &command));
             page.push('\n');
         }
         if command.starts_with('#') {
@@ -113,24 +117,38 @@ pub(crate) fn expand(
             Some(ranges) => cut(&said, ranges).map_err(failed)?,
             None => said,
         };
-        if !shown.trim().is_empty() {
-            page.push_str(&fenced("text", shown.trim_start_matches('\n')));
+        let draws = placed.writes.iter().any(|name| is_picture(name));
+        if wish.hide && draws {
+            // a picture alone is wished
+        } else if wish.raw {
+            page.push_str(&format!("\n{}\n", shown.trim()));
+        } else if !shown.trim().is_empty() {
+            // a refusal is a sentence, what is no refusal a table
+            let info = if wish.exit == 0 { "text,said" } else { "text,said,refusal" };
+            page.push_str(&fenced(info, shown.trim_start_matches('\n')));
             page.push('\n');
         }
         for name in &placed.writes {
             if !bench.path(name).exists() {
                 return Err(failed(format!("did not write {name}")));
             }
-            if name.ends_with(".svg") || name.ends_with(".png") {
+            if is_picture(name) {
                 let folder = format!("{}{}/", picture::to_made(chapter), slug(chapter));
                 let dark = on_dark(&command, name, bench, runner).map_err(failed)?;
-                let dark = dark.map(|dark| format!("{folder}{dark}"));
+                // what is drawn without a ground suits any
+                let suits_any = command.contains("--background transparent").then(|| name.clone());
+                let dark = dark.or(suits_any).map(|dark| format!("{folder}{dark}"));
                 pictures.push_str(&picture::figure(&format!("{folder}{name}"), dark.as_deref(), &wish.caption));
                 pictures.push('\n');
             }
         }
     }
-    Ok(format!("{page}</div>\n\n{pictures}"))
+    let page = if page.is_empty() { page } else { format!("{open}{page}{close}") };
+    Ok(format!("{page}{pictures}"))
+}
+
+fn is_picture(name: &str) -> bool {
+    name.ends_with(".svg") || name.ends_with(".png")
 }
 
 /// The same picture on dark ground, from commands that can draw it.

@@ -153,14 +153,14 @@ impl Equation {
         let mut page = String::new();
         for piece in pieces(&self.text) {
             match piece {
-                Piece::Prose { text, .. } => page.push_str(text),
+                Piece::Prose { text, .. } => page.push_str(&typeset::prose(text)),
                 Piece::Fence { info: "text", lines, line, .. } => {
                     let blocks = typeset::set(&lines.join("\n"), number.take().as_deref())
                         .map_err(|why| format!("{}.md:{line}: {why}", self.file))?;
                     for block in blocks {
                         page.push_str(&match block {
                             typeset::Block::Formula(latex) => format!("{}\n\n", place(&latex, true)),
-                            typeset::Block::Prose(text) => format!("{text}\n\n"),
+                            typeset::Block::Prose(text) => format!("{}\n\n", typeset::prose(&text)),
                         });
                     }
                 }

@@ -44,6 +44,9 @@ fn build(command: PathBuf, python: Option<PathBuf>) -> Result<(), String> {
     for missing in &book.summary.missing {
         println!("warning: {missing} is listed and not written yet");
     }
+    for (time, command) in &book.slow {
+        println!("note: {:.1} s for {command}", time.as_secs_f64());
+    }
     let html = out.join("html");
     let formulas = set(&book, &katex)?;
     bound(&book, &site, &html)?;

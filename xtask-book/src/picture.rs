@@ -6,6 +6,7 @@ use crate::math::escaped;
 pub(crate) fn figure(light: &str, dark: Option<&str>, caption: &str) -> String {
     let alt = escaped(if caption.is_empty() { "Output of the command above" } else { caption });
     let images = match dark {
+        Some(dark) if dark == light => format!("<img src=\"{light}\" alt=\"{alt}\" />"),
         Some(dark) => format!(
             "<img class=\"on-light\" src=\"{light}\" alt=\"{alt}\" /><img class=\"on-dark\" src=\"{dark}\" alt=\"{alt}\" />"
         ),

@@ -38,7 +38,7 @@ fn shown(language: &str, path: &str, source: &str, output: &str) -> String {
     let mut page =
         format!("\n<div class=\"console program\">\n\n<p class=\"path\">{path}</p>\n\n{}\n", fenced(language, source));
     if !output.trim().is_empty() {
-        page.push_str(&fenced("text", output));
+        page.push_str(&fenced("text,said", output));
         page.push('\n');
     }
     page.push_str("</div>\n\n");

@@ -14,7 +14,7 @@ pub(crate) fn run() -> Outcome {
     }
     let book = root().join("book");
     packages(&book).or_else(|_| packages(&book))?;
-    step("release build", &mut cargo(["build", "--release", "--package=nply-cli"]))?;
+    step("release build", &mut cargo(["build", "--release"]))?;
     let built =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder));
     let command = built.join("release").join(format!("nply{}", std::env::consts::EXE_SUFFIX));
