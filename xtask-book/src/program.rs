@@ -13,9 +13,11 @@ pub(crate) fn expand(wish: &str, site: &Site, runner: &Runner) -> Result<String,
     let path = path.trim();
     let source = fs::read_to_string(site.root.join(path)).map_err(|error| format!("cannot read {path}: {error}"))?;
     let said = match language {
-        "python" => match &site.python {
-            Some(python) => runner.hear(Command::new(python).arg(path))?,
-            None => return Ok(shown(language, path, &source, "")),
+        // one that needs nothing but Python's own library runs under any
+        "python" => match (&site.python, source.contains("import nply") || source.contains("from nply")) {
+            (Some(python), _) => runner.hear(Command::new(python).arg(path))?,
+            (None, false) => runner.hear(Command::new("python3").arg(path))?,
+            (None, true) => return Ok(shown(language, path, &source, "")),
         },
         "rust" => {
             let (package, example) = example(path).ok_or("wanted is crates/NAME/examples/NAME.rs")?;

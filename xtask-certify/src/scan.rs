@@ -250,18 +250,18 @@ impl Line<'_> {
                         Some(_) => self.sign(Interval::point(to)),
                         None => border.and(self.sign(Interval::point(to))),
                     });
-                    if low.is_none() {
-                        if let Some((inner, sign)) = self.nearest_sure(run.from, run.to) {
-                            stay_open(from, inner, self.why(from, inner));
-                            (from, low) = (inner, Some(sign));
-                        }
+                    if low.is_none()
+                        && let Some((inner, sign)) = self.nearest_sure(run.from, run.to)
+                    {
+                        stay_open(from, inner, self.why(from, inner));
+                        (from, low) = (inner, Some(sign));
                     }
                     let mut later = None;
-                    if high.is_none() {
-                        if let Some((inner, sign)) = self.nearest_sure(to, from) {
-                            later = Some((inner, to));
-                            (to, high) = (inner, Some(sign));
-                        }
+                    if high.is_none()
+                        && let Some((inner, sign)) = self.nearest_sure(to, from)
+                    {
+                        later = Some((inner, to));
+                        (to, high) = (inner, Some(sign));
                     }
                     match (low, high) {
                         (Some(low), Some(high)) if from < to => {

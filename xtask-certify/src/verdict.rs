@@ -114,10 +114,10 @@ impl Scan<'_> {
         let parts = std::iter::successors(Some(LEAST), |part| Some(4.0 * part)).take_while(|part| *part <= 1.0);
         for away in parts.map(|part| part * most) {
             let [before, after] = [t - away, t + away].map(|t| self.sign_beside(place, t, hand));
-            if let (Some(before), Some(after)) = (before, after) {
-                if before != after {
-                    return Some((t - away, t + away));
-                }
+            if let (Some(before), Some(after)) = (before, after)
+                && before != after
+            {
+                return Some((t - away, t + away));
             }
         }
         None

@@ -2,6 +2,7 @@
 //! a run that nobody disturbs.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -156,11 +157,11 @@ fn rounds(nply: &Path, folder: &Path, times: u64, seed: u64) -> Result<Tally, St
     while tally.killed + tally.interrupted < times {
         let number = (moments.next() % KINDS.len() as u64) as usize;
         let kind = &KINDS[number];
-        if !whole.contains_key(&number) {
+        if let Entry::Vacant(place) = whole.entry(number) {
             let path = folder.join(format!("whole-{number}.{}", kind.ending));
             let begin = Instant::now();
             ended_well(&mut start(nply, kind, &path, false)?)?;
-            whole.insert(number, (read(&path)?, begin.elapsed()));
+            place.insert((read(&path)?, begin.elapsed()));
         }
         let (expected, duration) = &whole[&number];
         let path = folder.join(format!("{}-{}.{}", kind.name, tally.tables, kind.ending));
