@@ -1,4 +1,4 @@
-//! Puts the page of `nply explore` into the command: each file of `web/dist`, compressed, and a table of them. It calls neither npm nor the
+//! Puts the page of `nply explore` into the command: each file of `web/dist` (of `page`, in a package), compressed, and a table of them. It calls neither npm nor the
 //! network. Where the page has not been built, one that says how takes its place; with `NPLY_REQUIRE_WEB` set that is an error.
 
 #[cfg(not(feature = "explore"))]
@@ -22,10 +22,13 @@ mod page {
 
     pub(super) fn embed() -> io::Result<()> {
         let here = folder("CARGO_MANIFEST_DIR")?;
-        let built = folder("NPLY_WEB_DIST").unwrap_or_else(|_| here.join("../../web/dist"));
+        // in a package the page stands beside this file; in the project it is what web/ was built into
+        let packed = here.join("page");
+        let beside = if packed.join("index.html").is_file() { packed.clone() } else { here.join("../../web/dist") };
+        let built = folder("NPLY_WEB_DIST").unwrap_or(beside);
         let fallback = here.join("fallback");
         // folders are watched and not files: a file that is missing would have the command built anew each time
-        for watched in [&built, &fallback] {
+        for watched in [&packed, &built, &fallback] {
             println!("cargo::rerun-if-changed={}", watched.display());
         }
         println!("cargo::rerun-if-changed=build.rs");

@@ -76,7 +76,7 @@ export function toHash(state: State): string {
   const pairs: [string, string][] = Object.entries(state.data)
   const { look } = state
   if (state.at !== null) pairs.push(['at', `${state.at < 0 ? 'S' : 'Z'}${trimmed(Math.abs(state.at))}`])
-  if (look.cut !== FIRST_LOOK.cut) pairs.push(['cut', trimmed(look.cut)])
+  if (trimmed(look.cut) !== trimmed(FIRST_LOOK.cut)) pairs.push(['cut', trimmed(look.cut)])
   if (look.paint !== FIRST_LOOK.paint) pairs.push(['paint', look.paint])
   if (look.stripes !== FIRST_LOOK.stripes) pairs.push(['stripes', String(look.stripes)])
   if (look.inside) pairs.push(['inside', 'yes'])
@@ -90,23 +90,26 @@ export function fromHash(hash: string): State | null {
   const said = hash.replace(/^#/, '')
   if (said === '') return null
   const data: Record<string, string> = {}
+  // a link may name what every object has; here it is a name as any other
+  const put = (key: string, value: string) =>
+    Object.defineProperty(data, key, { value, enumerable: true, configurable: true, writable: true })
   const own: Partial<Record<(typeof OWN)[number], string>> = {}
   for (const pair of said.split('&')) {
     const [name = '', ...rest] = pair.split('=')
     const [key, text] = [decode(name), decode(rest.join('='))]
     if (key === '') continue
     if ((OWN as readonly string[]).includes(key)) own[key as (typeof OWN)[number]] = text
-    else data[key] = text
+    else put(key, text)
   }
-  const cut = Number(own.cut ?? FIRST_LOOK.cut)
-  const stripes = Number(own.stripes ?? FIRST_LOOK.stripes)
+  const cut = number(own.cut) ?? FIRST_LOOK.cut
+  const stripes = number(own.stripes) ?? FIRST_LOOK.stripes
   return {
     data,
     at: place(own.at),
     look: {
-      cut: cut >= 0 && cut <= 1 ? cut : FIRST_LOOK.cut,
+      cut: cut <= 1 ? cut : FIRST_LOOK.cut,
       paint: own.paint === 'pressure' ? 'pressure' : 'strands',
-      stripes: Number.isInteger(stripes) && stripes >= 0 && stripes <= MOST_STRIPES ? stripes : FIRST_LOOK.stripes,
+      stripes: Number.isInteger(stripes) && stripes <= MOST_STRIPES ? stripes : FIRST_LOOK.stripes,
       inside: own.inside === 'yes',
       reading: own.reading === 'radii' ? 'radii' : 'units',
       along: own.along === 'pretwist' || own.along === 'moment' ? own.along : 'force',
@@ -115,9 +118,16 @@ export function fromHash(hash: string): State | null {
 }
 
 function place(text: string | undefined): Place | null {
-  const found = /^([ZS])(\d+(?:\.\d+)?)$/.exec(text ?? '')
-  if (!found) return null
-  return found[1] === 'S' ? -Number(found[2]) : Number(found[2])
+  const angle = number(text?.slice(1))
+  if (angle === null || angle > 90) return null
+  if (text?.startsWith('Z')) return angle
+  // a straight ply has no hand
+  return text?.startsWith('S') ? (angle === 0 ? 0 : -angle) : null
+}
+
+/** A number in digits, as links have them; null for anything else that JavaScript would take for one. */
+function number(text: string | undefined): number | null {
+  return /^\d+(?:\.\d+)?$/.test(text ?? '') ? Number(text) : null
 }
 
 /** As few digits as tell a place from its neighbours. */
@@ -127,13 +137,18 @@ function trimmed(value: number): string {
 
 /** Readable where a link allows it. */
 function encode(text: string): string {
-  return encodeURIComponent(text).replace(/%20/g, '+').replace(/%2F/g, '/').replace(/%3A/g, ':').replace(/%2C/g, ',')
+  return encodeURIComponent(wellFormed(text)).replace(/%20/g, '+').replace(/%2F/g, '/').replace(/%3A/g, ':').replace(/%2C/g, ',')
 }
 
 function decode(text: string): string {
   try {
-    return decodeURIComponent(text.replace(/\+/g, ' '))
+    return wellFormed(decodeURIComponent(text.replace(/\+/g, ' ')))
   } catch {
-    return text
+    return wellFormed(text)
   }
+}
+
+/** Half a pair of surrogates is no letter, and no link can carry it. */
+function wellFormed(text: string): string {
+  return text.replace(/\p{Surrogate}/gu, '\uFFFD')
 }

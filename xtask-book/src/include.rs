@@ -10,11 +10,11 @@ pub(crate) fn expand(wish: &str, site: &Site) -> Result<String, String> {
     let text =
         fs::read_to_string(site.root.join(path.trim())).map_err(|error| format!("cannot read {path}: {error}"))?;
     if section.is_empty() {
-        return Ok(text
-            .split_once("# ")
-            .and_then(|(_, rest)| rest.split_once('\n'))
-            .map_or("", |(_, rest)| rest)
-            .to_owned());
+        // a page of its own begins with its title, which the chapter has already
+        return Ok(match text.split_once('\n') {
+            Some((title, rest)) if depth(title) == 1 => rest.to_owned(),
+            _ => text,
+        });
     }
     let mut lines = text.lines();
     let heading = lines.by_ref().find(|line| line.starts_with('#') && line.trim_start_matches('#').trim() == section);

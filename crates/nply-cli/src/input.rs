@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read as _};
+use std::path::Path;
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
@@ -9,6 +10,7 @@ use nply_sheet::construction::{CONSTRUCTION_KEYS, ConstructionSpec, is_layered};
 use nply_sheet::{ErrorKind, KEYS, Place, Spec, SpecError};
 
 use crate::failure::Failure;
+use crate::output::shown;
 
 /// What was written, and the text of the file for messages.
 pub(crate) struct Input<S = Spec> {
@@ -129,7 +131,7 @@ pub(crate) fn read_written(path: &str) -> Result<Written, Failure> {
 fn contents(path: &str) -> Result<(&str, Vec<u8>), Failure> {
     let (name, bytes) =
         if path == "-" { ("standard input", load(io::stdin())) } else { (path, File::open(path).and_then(load)) };
-    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?))
+    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {}", shown(Path::new(name))), error })?))
 }
 
 /// The same of a file that may be larger, and what is said of one that is larger still.
@@ -140,7 +142,7 @@ pub(crate) fn contents_of<'p>(path: &'p str, largest: u64, larger: &str) -> Resu
     } else {
         (path, File::open(path).and_then(|file| load(Box::new(file))))
     };
-    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {name}"), error })?))
+    Ok((name, bytes.map_err(|error| Failure::File { what: format!("cannot read {}", shown(Path::new(name))), error })?))
 }
 
 /// What changes at a corner of a study, by flags with a prefix, in the order in which they were given; `None` without any.

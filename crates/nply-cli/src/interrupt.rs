@@ -9,17 +9,23 @@ use crate::failure::Failure;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// More threads than any machine has use for.
+const THREADS: u32 = 1024;
+
 /// `--jobs`.
 pub(crate) fn jobs() -> Arg {
-    const THREADS: i64 = 1024;
-    count("jobs", "Threads to use (all cores)", THREADS)
+    let most = THREADS.into();
+    count("jobs", "Threads to use (all cores)", most)
 }
 
 /// Makes the threads that `--jobs` asks for, and listens for Ctrl-C.
 pub(crate) fn prepare(arguments: &ArgMatches) {
-    if let Some(jobs) = arguments.get_one::<u32>("jobs") {
+    // what the environment asks for (RAYON_NUM_THREADS) has the same bound as the flag
+    let said = std::env::var("RAYON_NUM_THREADS").ok().and_then(|said| said.parse::<u64>().ok());
+    let bounded = said.filter(|said| *said > THREADS.into()).map(|_| THREADS);
+    if let Some(jobs) = arguments.get_one::<u32>("jobs").copied().or(bounded) {
         // fails only where threads stand already, and then so many are used
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(*jobs as usize).build_global();
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(jobs as usize).build_global();
     }
     listen();
 }

@@ -109,6 +109,49 @@ pub(crate) fn plot(arguments: &ArgMatches, svg: impl Fn() -> String) -> Result<(
     picture(path, &svg(), arguments)
 }
 
+/// Refuses to write over what is read, and two things to one file: whatever their names, links followed.
+pub(crate) fn spares_input(arguments: &ArgMatches) -> Result<(), Failure> {
+    const READ: [&str; 4] = ["file", "files", "data", "rows"];
+    const WRITTEN: [&str; 2] = ["output", "plot"];
+    let named = |id: &str| -> Vec<&str> {
+        arguments.try_get_many::<String>(id).ok().flatten().into_iter().flatten().map(String::as_str).collect()
+    };
+    let refused = |flag: &str, message: String| {
+        let place = Place::Flag(flag.to_owned());
+        Err(Failure::Refused(SpecError::new(ErrorKind::Contradiction, place, message), String::new()))
+    };
+    let read: Vec<PathBuf> = READ.into_iter().flat_map(named).filter_map(|path| place_of(path.as_ref())).collect();
+    let mut written: Vec<PathBuf> = Vec::new();
+    for (flag, path) in WRITTEN.into_iter().flat_map(|flag| named(flag).into_iter().map(move |path| (flag, path))) {
+        let Some(place) = place_of(path.as_ref()) else { continue };
+        if read.contains(&place) {
+            let message = format!("{} is read as well, and would be lost: give another name", shown(path.as_ref()));
+            return refused(flag, message);
+        }
+        if written.contains(&place) {
+            let message = format!(
+                "two things would be written to the same file, {}: give one of them another name",
+                shown(path.as_ref())
+            );
+            return refused(flag, message);
+        }
+        written.push(place);
+    }
+    Ok(())
+}
+
+/// Where a file stands or would stand; `None` for what is no file (a pipe, a device, a folder) or cannot be one.
+pub(crate) fn place_of(path: &Path) -> Option<PathBuf> {
+    match fs::metadata(path) {
+        Ok(there) if !there.is_file() => None,
+        Ok(_) => fs::canonicalize(path).ok(),
+        Err(_) => {
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
+        }
+    }
+}
+
 /// A file that gets its name when it is whole: until then it stands beside it as a `.part`, and is removed if nothing comes of it. What is
 /// no file (a pipe, a device) is written to as it is.
 pub(crate) struct Draft {
@@ -200,6 +243,11 @@ impl Drop for Draft {
 /// A file's name for a message, without what would steer a terminal.
 pub(crate) fn shown(path: &Path) -> String {
     path.display().to_string().replace(|c: char| c.is_control(), "?")
+}
+
+/// A remark that is no part of the answer, on standard error.
+pub(crate) fn note(remark: &str) {
+    let _ = writeln!(anstream::stderr(), "note: {remark}");
 }
 
 /// Standard output, for much text in small pieces.

@@ -94,7 +94,7 @@ impl Part {
         let head =
             format!("nply {} {:016x} {}\n", encoder.format().name(), checksum(identity.as_bytes()), quoted(identity));
         let log = File::options().read(true).append(true).create(true).open(&log_path);
-        let log = log.map_err(|error| cannot("write", &log_path, error))?;
+        let log = log.map_err(|error| cannot("write", name, error))?;
         match log.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(refused(name, "another run is writing it")),
@@ -106,13 +106,15 @@ impl Part {
                 let _ = fs::remove_file(&log_path);
                 Ok(None)
             }
-            Ok(Left::Nothing) => {
-                let file = File::create(&part).map_err(|error| {
-                    let _ = fs::remove_file(&log_path);
-                    cannot("write", name, error)
-                })?;
-                Self::begin(name, BlockFile::new(encoder, BufWriter::new(file)), log, &head, 0, &[]).map(Some)
-            }
+            Ok(Left::Nothing) => Self::start(name, encoder, log, &head).map(Some).map_err(|failure| {
+                // nothing is done yet, and nothing is left
+                let _ = fs::remove_file(&part);
+                let _ = fs::remove_file(&log_path);
+                match failure {
+                    Failure::File { error, .. } => cannot("write", name, error),
+                    other => other,
+                }
+            }),
             Ok(Left::Part(marks)) => Self::take_up(name, encoder, log, &head, &marks).map(Some),
             Err(failure) => {
                 if log.metadata().is_ok_and(|about| about.len() == 0) {
@@ -121,6 +123,14 @@ impl Part {
                 Err(failure)
             }
         }
+    }
+
+    /// Begins. What the part will be stands in the log before there is a part, so that none is ever met of which nobody knows what it is.
+    fn start(name: &Path, encoder: &Encoder, mut log: File, head: &str) -> Result<Self, Failure> {
+        let cannot = |error| cannot("write", name, error);
+        log.write_all(head.as_bytes()).and_then(|()| log.sync_data()).map_err(cannot)?;
+        let file = File::create(beside(name, ".part")).map_err(cannot)?;
+        Self::begin(name, BlockFile::new(encoder, BufWriter::new(file)), log, 0)
     }
 
     /// Goes on where a part was left: what is in it is copied, so that until then nothing is lost whatever happens.
@@ -140,8 +150,10 @@ impl Part {
         table.get_mut().get_ref().sync_all().map_err(cannot)?;
         let marks = &marks[..whole];
         let done = marks.last().map_or(0, |(rows, _)| *rows);
-        log.set_len(0).map_err(cannot)?;
-        let this = Self::begin(name, Ok(table), log, head, done, marks)?;
+        // the log is what it was up to the last block that is whole: cut, and never without what it says
+        let said: usize = head.len() + marks.iter().map(|(rows, mark)| line(*rows, mark).len()).sum::<usize>();
+        log.set_len(said as u64).map_err(cannot)?;
+        let this = Self::begin(name, Ok(table), log, done)?;
         fs::remove_file(&old).map_err(cannot)?;
         Ok(this)
     }
@@ -150,14 +162,10 @@ impl Part {
         name: &Path,
         table: Result<BlockFile<BufWriter<File>>, TableError>,
         log: File,
-        head: &str,
         done: u64,
-        marks: &[(u64, Mark)],
     ) -> Result<Self, Failure> {
-        let mut waiting = head.to_owned();
-        waiting.extend(marks.iter().map(|(rows, mark)| line(*rows, mark)));
         let table = table.map_err(|error| Failure::of_table_in(&shown(name), error))?;
-        let mut this = Self { name: name.to_owned(), table, log, waiting, last: Instant::now(), done };
+        let mut this = Self { name: name.to_owned(), table, log, waiting: String::new(), last: Instant::now(), done };
         this.settle()?;
         Ok(this)
     }

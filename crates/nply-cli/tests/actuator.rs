@@ -23,7 +23,9 @@ fn steps(report: &Value) -> &[Value] {
 fn two_strings_obey_the_published_formula_up_to_45_degrees() {
     let report = actuator("2", &["--motor-turns", "110", "--steps", "11"]);
     let (length, radius, force) = (0.5_f64, 0.5e-3, 20.0);
-    for step in steps(&report) {
+    for (i, step) in steps(&report).iter().enumerate() {
+        // turns are those that were asked for, to the last digit
+        assert!(number(step, "motor_turns").to_bits() == (10.0 * i as f64).to_bits());
         let theta = TAU * number(step, "motor_turns");
         let p = (length * length - theta * theta * radius * radius).sqrt();
         assert!(number(step, "helical_angle_deg") < 45.0);

@@ -209,11 +209,16 @@ fn given_rows_are_answered_in_their_order() {
         "--sweep",
         "lay_length=2:5 mm:30",
         "--outputs",
-        "helical_angle",
+        "arclength_shift",
     ];
     assert_eq!(out(&[&sweep[..], &["--output", text(&parquet)]].concat()), "");
-    let again = call(&["sweep", "--diameter", "0.275 mm", "--outputs", "radius_ratio", "--rows", text(&parquet)]);
-    assert_eq!((again.code, again.err.contains("would stand in the table twice")), (2, true), "{}", again.err);
+    let of_rows = |asked| ["sweep", "--diameter", "0.275 mm", "--outputs", asked, "--rows", text(&parquet)];
+    let again = call(&of_rows("radius_ratio"));
+    assert_eq!((again.code, again.err.contains("reason of ")), (0, true), "{}", again.err);
+    let lines: Vec<&str> = again.out.lines().collect();
+    assert_eq!((lines[0], lines.len()), ("row,strands,lay_length_mm,arclength_shift,radius_ratio,reason", 61));
+    let twice = call(&of_rows("arclength_shift"));
+    assert_eq!((twice.code, twice.err.contains("would stand in the table twice")), (2, true), "{}", twice.err);
 }
 
 #[test]

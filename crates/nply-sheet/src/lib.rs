@@ -16,8 +16,6 @@ mod case;
 pub mod construction;
 pub mod curves;
 mod diagnostic;
-mod dimension;
-mod double;
 pub mod figure;
 pub mod graph;
 mod key;
@@ -36,15 +34,13 @@ mod spec;
 mod study;
 pub mod sweep;
 pub mod table;
-mod unit;
 
 pub use case::{Case, Lay, Question, Shape, StringStiffness, Strings};
 pub use diagnostic::{ErrorKind, Place, SpecError};
-pub use dimension::Dimension;
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use preset::{PRESETS, Preset, list_presets};
-pub use quantity::{Quantity, QuantityError};
+pub use quantity::{Dimension, Quantity, QuantityError, Unit};
 pub use report::{
     AngleLine, COLUMNS, ClearanceReport, Column, Extension, FitReport, Known, LaysReport, Link, LinkReport,
     LocusReport, Measure, PlyingReport, Reading, Report, Section, ShapeReport, SpecialPoint, StiffnessReport,
@@ -52,7 +48,6 @@ pub use report::{
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;
-pub use unit::Unit;
 
 /// What was read, in quotation marks, without control characters and not longer than a line.
 fn quoted(text: &str) -> String {

@@ -1,7 +1,6 @@
 //! The units in which a report answers: those of the person who asked.
 
-use crate::spec::{Entry, Spec, Value};
-use crate::{Datum, Dimension, Quantity, Unit};
+use crate::{Dimension, Unit};
 
 /// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value.
 ///
@@ -39,29 +38,12 @@ fn ladder(dimension: Dimension) -> &'static [&'static str] {
 }
 
 impl PreferredUnits {
-    /// The units written in an input.
-    #[must_use]
-    pub fn of(spec: &Spec) -> Self {
-        let (last, first): (Vec<_>, Vec<_>) = spec.entries.iter().partition(|entry| {
-            matches!(
-                entry.key.datum,
-                Datum::StrandLength
-                    | Datum::PlyLength
-                    | Datum::BendingPersistenceLength
-                    | Datum::TwistPersistenceLength
-            )
-        });
-        Self::first_written(first.into_iter().chain(last))
-    }
-
-    /// Per dimension the unit that stands first among entries.
-    pub(crate) fn first_written<'e>(entries: impl Iterator<Item = &'e Entry>) -> Self {
+    /// Units as they were written, of which the first of each dimension counts.
+    pub(crate) fn of_units(units: impl Iterator<Item = Unit>) -> Self {
         let mut written: Vec<Unit> = Vec::new();
-        for entry in entries {
-            if let Value::Quantity(Quantity::Measured { unit, .. }) = &entry.value
-                && written.iter().all(|known| known.dimension() != unit.dimension())
-            {
-                written.push(unit.clone());
+        for unit in units {
+            if written.iter().all(|known| known.dimension() != unit.dimension()) {
+                written.push(unit);
             }
         }
         Self { written }
@@ -142,10 +124,6 @@ pub(crate) fn six_digits(value: f64) -> String {
 mod tests {
     use super::*;
 
-    fn units(flags: &[(&str, &str)]) -> PreferredUnits {
-        PreferredUnits::of(&Spec::from_flags(flags.iter().copied()).unwrap())
-    }
-
     #[test]
     fn every_step_of_a_ladder_is_a_unit_of_its_dimension_and_larger_than_the_last() {
         let dimensions = [
@@ -193,25 +171,5 @@ mod tests {
         ] {
             assert_eq!(units.format(dimension, si), text);
         }
-    }
-
-    #[test]
-    fn the_first_written_unit_wins_but_the_strand_length_comes_last() {
-        let units = units(&[
-            ("strand-length", "2 m"),
-            ("diameter", "0.1 in"),
-            ("lay-length", "3 mm"),
-            ("turns-per-length", "5 tpi"),
-        ]);
-        assert_eq!(units.format(Dimension::LENGTH, 0.0254), "1 in");
-        assert_eq!(units.format(Dimension::ANGLE_PER_LENGTH, 7.0 * core::f64::consts::TAU / 0.0254), "7 tpi");
-        assert!(units.written(Dimension::FORCE).is_none());
-    }
-
-    #[test]
-    fn force_and_length_written_apart_go_together() {
-        let units = units(&[("radius", "1 nm"), ("force", "3 pN")]);
-        assert_eq!(units.format(Dimension::STIFFNESS, 2e-28), "200 pN nm^2");
-        assert_eq!(units.format(Dimension::FORCE_PER_LENGTH, 1e-3), "1 pN/nm");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::key::Group;
 use crate::spec::{Entry, Spec};
-use crate::{Case, Datum, ErrorKind, SpecError};
+use crate::{Case, Datum, ErrorKind, Place, SpecError};
 
 impl Spec {
     /// The beginning of a path and the end of each of its legs: `[[path]]` of the file, or `leg` alone where it is given.
@@ -40,6 +40,26 @@ impl Spec {
             cases.push(here.check()?);
         }
         Ok(cases)
+    }
+
+    /// Refuses a flag of which a study's own datum takes the place: one of the two would be dropped without a word. What a file says may be
+    /// overridden, a flag not.
+    pub(crate) fn keeps_flags_beside(&self, corner: &Self) -> Result<(), SpecError> {
+        let kept = self.onward(corner);
+        let is_lost = |entry: &&Entry| {
+            matches!(entry.place, Place::Flag(_)) && kept.entries.iter().all(|other| other.place != entry.place)
+        };
+        let Some(lost) = self.entries.iter().find(is_lost) else { return Ok(()) };
+        let same = |other: &&Entry| {
+            other.key.datum == lost.key.datum || other.key.group.is_some() && other.key.group == lost.key.group
+        };
+        let Some(varies) = corner.entries.iter().find(same).or(corner.entries.first()) else { return Ok(()) };
+        let message = format!(
+            "{} is given, and what varies, `{}`, takes its place: leave one of the two out",
+            lost.said(),
+            varies.key.name
+        );
+        Err(lost.error(ErrorKind::Contradiction, message))
     }
 
     /// This description with a corner of a study laid over it.

@@ -3,11 +3,20 @@
 
 use nply::Handedness;
 use nply::mechanics::{Balance, Load, Ply, Twist};
-use nply_sheet::Spec;
 use nply_sheet::graph::{Graph, GraphCurve, GraphFlags, Scales};
+use nply_sheet::{KEYS, Spec};
 
 fn ply(flags: &[(&str, &str)]) -> Spec {
     Spec::from_flags(flags.iter().copied()).unwrap()
+}
+
+/// The same as a file has it: what runs may take its place.
+fn written(flags: &[(&str, &str)]) -> Spec {
+    let line = |(flag, value): &(&str, &str)| {
+        let key = KEYS.iter().find(|key| key.flag == *flag).unwrap();
+        format!("{}.{} = {value:?}\n", key.table.name(), key.name)
+    };
+    Spec::from_toml("ply.toml", &flags.iter().map(line).collect::<String>()).unwrap()
 }
 
 fn graph(ply: &Spec, range: &str, ask: &[&str]) -> Graph {
@@ -49,7 +58,7 @@ fn curves_hold_every_state_and_no_other() {
             let solver = Ply::with_balance(strands, 0.75, balance).unwrap();
             let number = strands.to_string();
             for (range, solve) in courses {
-                let spec = ply(&[
+                let spec = written(&[
                     ("strands", &number),
                     ("balance", balance.name()),
                     ("stiffness-ratio", "0.75"),
@@ -185,7 +194,7 @@ fn held_ends_run_too() {
         assert!((point.state.contact().helical_angle().cos() - point.x).abs() < 1e-12);
         assert!(point.state.balance_residual().abs() < 1e-10);
     }
-    let held = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3"), ("length-ratio", "0.9")]);
+    let held = written(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.3"), ("length-ratio", "0.9")]);
     let curves = graph(&held, "pretwist=-1..1", &["force"]).curves();
     let hands = curves.iter().map(|curve| curve.handedness).collect::<std::collections::HashSet<_>>();
     assert_eq!(hands.len(), 2);
@@ -246,4 +255,35 @@ fn what_cannot_run_is_refused() {
         ply(&[("strands", "6"), ("stiffness-ratio", "0.75"), ("pretwist", "0"), ("support-core-radius", "1.1")]);
     let flags = GraphFlags { sweep: "force=0..1".into(), ask: vec!["moment".into()], ..GraphFlags::default() };
     assert!(cored.check_graph(&flags).unwrap_err().to_string().contains("nply trace --plot"));
+}
+
+/// What runs stands below the picture in the words and the unit in which it was asked for: 1 to 100 turns of half a metre of strands are
+/// no 2 to 200 turns per metre.
+#[test]
+fn the_axis_is_what_was_asked_for() {
+    let spec = ply(&[
+        ("strands", "2"),
+        ("stiffness-ratio", "1"),
+        ("pretwist", "0"),
+        ("diameter", "1 mm"),
+        ("strand-length", "0.5 m"),
+    ]);
+    for (range, label, mark) in [
+        ("ply_turns=1..100", "ply turns", 100.0),
+        ("ply_turns_per_strand_length=0..3 turns/inch", "ply turns per strand length (turns/inch)", 2.5),
+        ("turns_per_length=-5 tpi..1 tpi", "turns per length (tpi)", -4.0),
+        ("force=0..2", "end force (B/r²)", 2.0),
+    ] {
+        let spec = if range.starts_with("turns") {
+            ply(&[("strands", "2"), ("stiffness-ratio", "1"), ("diameter", "1 mm")])
+        } else {
+            spec.clone()
+        };
+        let graph = graph(&spec, range, &["helical_angle"]);
+        let picture = graph.picture(&graph.curves()).svg();
+        assert!(picture.contains(&format!(">{label}<")), "{range}: {picture}");
+        let ticks =
+            picture.split('<').filter_map(|piece| piece.split('>').nth(1)?.replace('−', "-").parse::<f64>().ok());
+        assert!(ticks.filter(|tick| (tick - mark).abs() < 1e-9).count() > 0, "{range}");
+    }
 }

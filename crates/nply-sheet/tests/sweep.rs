@@ -366,7 +366,7 @@ fn what_is_written_wrong_is_told_in_a_sentence() {
 
 #[test]
 fn flags_say_what_a_file_says() {
-    let ply = [("strands", "3"), ("stiffness-ratio", "0.75"), ("diameter", "1 mm"), ("bending-stiffness", "1 N mm^2")];
+    let ply = [("stiffness-ratio", "0.75"), ("diameter", "1 mm"), ("bending-stiffness", "1 N mm^2")];
     let flags = SweepFlags {
         sweep: vec![
             "twist.pretwist=-1:1:5".into(),

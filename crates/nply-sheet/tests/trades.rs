@@ -43,7 +43,13 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
     }
     // a yarn of which 590.54 is the constant between tex and Ne in every table of counts
     assert!((titre("Ne 1") * 1e6 - 590.54).abs() < 5e-3);
-    for (text, part) in [("Ne 30/2", "folded count"), ("Ne 0", "too large"), ("Ne", "number"), ("Ne x", "number")] {
+    for (text, part) in [
+        ("Ne 30/2", "folded count"),
+        ("30/2", "folded count"),
+        ("Ne 0", "too large"),
+        ("Ne", "number"),
+        ("Ne x", "number"),
+    ] {
         let said = Quantity::parse_linear_density(text).unwrap_err().to_string();
         assert!(said.contains(part), "{text}: {said}");
     }

@@ -21,6 +21,10 @@ impl Visitors {
         let mut named = request.headers().get_all(HOST).iter();
         let (Some(name), None) = (named.next(), named.next()) else { return false };
         let Ok(authority) = Authority::try_from(name.as_bytes()) else { return false };
+        // a host and a port, and nobody's name before them (RFC 9110, 7.2)
+        if authority.as_str().contains('@') {
+            return false;
+        }
         self == Self::Any || (is_here(authority.host()) && request.uri().host().is_none_or(is_here))
     }
 }

@@ -8,7 +8,7 @@ use std::convert::Infallible;
 use std::io;
 use std::net::{SocketAddr, TcpListener};
 use std::pin::pin;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use hyper::server::conn::http1;
@@ -16,6 +16,7 @@ use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::TcpStream;
 use tokio::sync::{Notify, Semaphore};
+use tokio::task::AbortHandle;
 use tokio::time::timeout;
 
 pub(crate) use host::Visitors;
@@ -24,7 +25,7 @@ pub(crate) use page::IS_BUILT;
 /// What one client may take, so that none keeps the others waiting.
 #[derive(Clone, Copy)]
 struct Limits {
-    /// connections at a time; more wait until one of these ends
+    /// connections at a time; for one more, that which has asked for nothing the longest is cut
     connections: usize,
     /// bytes of a request line with its headers
     head: usize,
@@ -90,14 +91,23 @@ impl Server {
 async fn accept(listener: tokio::net::TcpListener, visitors: Visitors, limits: Limits) {
     const BREATH: Duration = Duration::from_millis(50);
     let room = Arc::new(Semaphore::new(limits.connections));
+    let guests = Guests::default();
+    let mut number = 0;
     loop {
-        let Ok(place) = Arc::clone(&room).acquire_owned().await else { return };
         match listener.accept().await {
             Ok((stream, _)) => {
-                tokio::spawn(async move {
-                    converse(stream, visitors, limits).await;
+                if room.available_permits() == 0 {
+                    guests.cut_most_silent();
+                }
+                let Ok(place) = Arc::clone(&room).acquire_owned().await else { return };
+                number += 1;
+                let (number, known) = (number, guests.clone());
+                let task = tokio::spawn(async move {
+                    converse(stream, visitors, limits, || known.has_asked(number)).await;
+                    known.has_left(number);
                     drop(place);
                 });
+                guests.has_come(number, task.abort_handle());
             }
             // a client that left already, or no descriptor free: the next one may fare better
             Err(_) => tokio::time::sleep(BREATH).await,
@@ -105,9 +115,44 @@ async fn accept(listener: tokio::net::TcpListener, visitors: Visitors, limits: L
     }
 }
 
+/// Those connected, who asked longest ago (or came longest ago and asked for nothing) first: many who say nothing, or a letter a second,
+/// keep nobody else waiting.
+#[derive(Clone, Default)]
+struct Guests(Arc<Mutex<Vec<(u64, AbortHandle)>>>);
+
+impl Guests {
+    fn list(&self) -> MutexGuard<'_, Vec<(u64, AbortHandle)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn has_come(&self, number: u64, task: AbortHandle) {
+        self.list().push((number, task));
+    }
+
+    fn has_asked(&self, number: u64) {
+        let mut list = self.list();
+        if let Some(at) = list.iter().position(|(other, _)| *other == number) {
+            let guest = list.remove(at);
+            list.push(guest);
+        }
+    }
+
+    fn has_left(&self, number: u64) {
+        self.list().retain(|(other, _)| *other != number);
+    }
+
+    fn cut_most_silent(&self) {
+        let mut list = self.list();
+        if !list.is_empty() {
+            list.remove(0).1.abort();
+        }
+    }
+}
+
 /// One connection. Errors are the client's: a request that is none, a connection that broke.
-async fn converse(stream: TcpStream, visitors: Visitors, limits: Limits) {
-    let service = service_fn(move |request| {
+async fn converse(stream: TcpStream, visitors: Visitors, limits: Limits, asks: impl Fn()) {
+    let service = service_fn(|request| {
+        asks();
         let response = answer::answer(&request, visitors);
         async move { Ok::<_, Infallible>(response) }
     });
@@ -172,14 +217,21 @@ mod tests {
     }
 
     #[test]
-    fn who_comes_late_waits_for_a_place() {
-        let (address, stop, running) =
-            serve(Limits { connections: 1, head_within: Duration::from_millis(30), ..LIMITS });
-        let first = TcpStream::connect(address).unwrap();
-        let mut second = TcpStream::connect(address).unwrap();
-        second.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
-        assert!(rest(second).starts_with(b"HTTP/1.1 200"));
-        drop(first);
+    fn the_silent_make_room() {
+        // nobody is sent away for being slow here, but for those who come later
+        let patient = Duration::from_secs(600);
+        let (address, stop, running) = serve(Limits { connections: 8, head_within: patient, ..LIMITS });
+        let mut silent: Vec<TcpStream> = (0..20).map(|_| TcpStream::connect(address).unwrap()).collect();
+        for stream in &mut silent {
+            let _ = stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: "); // some are cut already
+        }
+        for _ in 0..20 {
+            let mut asks = TcpStream::connect(address).unwrap();
+            asks.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+            asks.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
+            assert!(rest(asks).starts_with(b"HTTP/1.1 200"));
+        }
+        drop(silent);
         stop.now();
         running.join().unwrap().unwrap();
     }

@@ -1,7 +1,6 @@
 //! `nply explore`: the page in which a ply is twisted by hand.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
@@ -95,15 +94,15 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let page = format!("http://{}/{}", reached(listening), link(&data));
     output::write(&format!("{page}\n"))?;
     if is_study {
-        say("what changes ([[path]], [map]) is for nply trace and nply map: the page begins without it");
+        output::note("what changes ([[path]], [map]) is for nply trace and nply map: the page begins without it");
     }
     if !server::IS_BUILT {
-        say("this nply was built without the page, and says there how to build it");
+        output::note("this nply was built without the page, and says there how to build it");
     }
     if arguments.get_flag("open")
         && let Err(error) = open::that_detached(&page)
     {
-        say(&format!("no browser could be opened: {error}"));
+        output::note(&format!("no browser could be opened: {error}"));
     }
     server.run(&stop).map_err(|error| Failure::File { what: format!("cannot serve {page}"), error })
 }
@@ -140,9 +139,4 @@ fn escaped(text: &str) -> String {
         }
     }
     escaped
-}
-
-/// A remark that is no part of the answer.
-fn say(remark: &str) {
-    let _ = writeln!(anstream::stderr(), "note: {remark}");
 }

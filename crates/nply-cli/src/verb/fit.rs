@@ -1,13 +1,15 @@
 //! `nply fit`: stiffnesses, size and twist of the strands from measurements.
 
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use nply_sheet::regression::{Measurements, RegressionQuestion, RegressionReport};
+use indicatif::{ProgressBar, ProgressStyle};
+use nply_sheet::regression::{Measurements, Regression, RegressionQuestion, RegressionReport};
 use nply_sheet::{Datum, ErrorKind, Key, Place, SpecError, Table};
 
 use super::Verb;
 use crate::arguments::{count, format, json, plot, with_keys};
 use crate::failure::Failure;
 use crate::input;
+use crate::interrupt;
 use crate::output::{self, Draft, Format};
 
 const LONG: &str = "\
@@ -70,10 +72,12 @@ fn arguments(command: Command) -> Command {
         .arg(output::zoom())
         .arg(format())
         .arg(json())
+        .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar"))
         .after_help(EXAMPLES)
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
+    interrupt::listen();
     let path = arguments.get_one::<String>("data").map_or("-", String::as_str);
     if path == "-" && arguments.get_one::<String>("file").is_some_and(|file| file == "-") {
         let message = "standard input is the data and the ply: one of them must be a file";
@@ -82,7 +86,6 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
             String::new(),
         ));
     }
-    same_file(arguments)?;
     let input = input::read(arguments)?;
     let (name, bytes) = input::contents_of(path, LARGEST, "it is larger than 64 MiB: fit a part of it")?;
     let text = String::from_utf8_lossy(&bytes).into_owned();
@@ -95,7 +98,15 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         errors: words("error"),
         starts: arguments.get_one::<u32>("starts").map(|starts| *starts as usize),
     };
-    let report = RegressionReport::of(&input.spec, &data, &question).map_err(|error| match error.place() {
+    let bar = bar(arguments, question.starts.unwrap_or(Regression::STARTS));
+    let may_go_on = |behind: usize| {
+        bar.set_position(behind as u64);
+        interrupt::check().is_ok()
+    };
+    let report = RegressionReport::of_while(&input.spec, &data, &question, &may_go_on);
+    bar.finish_and_clear();
+    interrupt::check()?;
+    let report = report.map_err(|error| match error.place() {
         // the line that is shown is that of the file it stands in
         Place::File { name: file, .. } if **file == *name => Failure::Refused(error, data.text().to_owned()),
         _ => input.refused(error),
@@ -113,15 +124,11 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     })
 }
 
-/// Refuses to write residuals and picture to one file.
-fn same_file(arguments: &ArgMatches) -> Result<(), Failure> {
-    let file = |name| arguments.get_one::<String>(name);
-    match (file("output"), file("plot")) {
-        (Some(table), Some(picture)) if table == picture => {
-            let message = "residuals and picture would be written to the same file: give one of them another name";
-            let place = Place::Flag("plot".to_owned());
-            Err(Failure::Refused(SpecError::new(ErrorKind::Contradiction, place, message), String::new()))
-        }
-        _ => Ok(()),
+/// How many starts are behind, on a terminal.
+fn bar(arguments: &ArgMatches, starts: usize) -> ProgressBar {
+    let bar = if arguments.get_flag("quiet") { ProgressBar::hidden() } else { ProgressBar::new(starts as u64) };
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} starts, {elapsed}") {
+        bar.set_style(style);
     }
+    bar
 }

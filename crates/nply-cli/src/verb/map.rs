@@ -4,9 +4,9 @@ use std::path::Path;
 
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
+use nply_sheet::Table;
 use nply_sheet::map::{Cell, Map, MapFlags, MapPicture, Tally};
 use nply_sheet::table::TableWriter;
-use nply_sheet::{ErrorKind, Place, SpecError, Table};
 use rayon::prelude::*;
 
 use super::Verb;
@@ -49,14 +49,6 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         rows: arguments.get_one::<u32>("rows").copied(),
     };
     let map = input.spec.check_map(Some(&flags)).map_err(|error| input.refused(error))?;
-    let file = |name| arguments.get_one::<String>(name);
-    if let (Some(table), Some(picture)) = (file("output"), file("plot"))
-        && table == picture
-    {
-        let message = "table and picture would be written to the same file: give one of them another name";
-        let place = Place::Flag("plot".to_owned());
-        return Err(input.refused(SpecError::new(ErrorKind::Contradiction, place, message)));
-    }
     interrupt::prepare(arguments);
     let drawn = arguments.get_one::<String>("plot");
     let mut picture = drawn.map(|_| MapPicture::new(&map));

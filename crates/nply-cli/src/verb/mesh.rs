@@ -96,7 +96,7 @@ fn arguments(command: Command) -> Command {
                 "How far triangles may lie off the surface: a length, or a bare share of the strand radius (0.01)",
             ),
         )
-        .arg(count("facets", "Facets round a strand, instead of a chord error", FACETS))
+        .arg(count("facets", "Facets round a strand, 3 or more, instead of a chord error", FACETS))
         .arg(count("segments", "Segments per lay length, instead of a chord error", FACETS))
         .arg(
             Arg::new("fit")

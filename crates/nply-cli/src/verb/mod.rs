@@ -32,6 +32,7 @@ mod writhe;
 use clap::{ArgMatches, Command};
 
 use crate::failure::Failure;
+use crate::output;
 
 /// One command.
 struct Verb {
@@ -120,7 +121,9 @@ pub(crate) fn command() -> Command {
 /// Does what was asked.
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), Failure> {
     let Some((name, arguments)) = matches.subcommand() else { return Ok(()) }; // one is required: not reached
-    VERBS.iter().find(|verb| verb.name == name).map_or(Ok(()), |verb| (verb.run)(arguments))
+    let Some(verb) = VERBS.iter().find(|verb| verb.name == name) else { return Ok(()) }; // all that are known are there
+    output::spares_input(arguments)?;
+    (verb.run)(arguments)
 }
 
 #[cfg(test)]

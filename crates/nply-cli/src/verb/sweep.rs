@@ -132,6 +132,15 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         return Err(input.refused(SpecError::new(ErrorKind::Missing, Place::Flag("sweep".to_owned()), message)));
     }
     let rows = flags.rows.as_deref().or_else(|| input.spec.sweep_rows());
+    if let (Some(rows), Some(path)) = (rows, arguments.get_one::<String>("output"))
+        && let place @ Some(_) = output::place_of(rows.as_ref())
+        && place == output::place_of(path.as_ref())
+    {
+        return Err(flag_refused(
+            "output",
+            &format!("{} is read as well, and would be lost: give another name", shown(rows.as_ref())),
+        ));
+    }
     let source = Source::of(&study, rows.filter(|_| study.takes_rows()), &input)?;
     let columns = source.columns(&input)?;
     interrupt::prepare(arguments);
@@ -251,6 +260,16 @@ impl<'s> Source<'s> {
         let reader = open(path, format, 0)?;
         let about = about(path).map_err(|error| unreadable(path, TableError::Write(error)))?;
         let (columns, total) = (reader.columns().to_vec(), reader.rows());
+        let carried = Study::carried(&columns);
+        let left: Vec<&str> =
+            (0..columns.len()).filter(|at| !carried.contains(at)).map(|at| columns[at].name.as_str()).collect();
+        if !left.is_empty() {
+            output::note(&format!(
+                "{} of {} comes from an earlier sweep and is left out: this table has its own",
+                left.join(" and "),
+                shown(named)
+            ));
+        }
         Ok(Self::Given { study, path: path.to_owned(), format, columns, total, about })
     }
 
@@ -260,7 +279,7 @@ impl<'s> Source<'s> {
             Self::Own { study, .. } => Ok(study.columns().to_vec()),
             Self::Given { study, columns, .. } => {
                 let own = study.given_columns(columns).map_err(|error| input.refused(error))?;
-                Ok(columns.iter().cloned().chain(own).collect())
+                Ok(Study::carried(columns).into_iter().map(|at| columns[at].clone()).chain(own).collect())
             }
         }
     }
@@ -311,7 +330,8 @@ impl<'s> Source<'s> {
                 let count = cells.first().map_or(0, Values::len) as u64;
                 let solved = study.solve_given(columns, &cells);
                 let (places, answers) = solved.map_err(|error| Failure::Refused(error, String::new()))?;
-                let mut chunk: Vec<Values> = cells.iter().map(|cells| cells.taken(&places)).collect();
+                let mut chunk: Vec<Values> =
+                    Study::carried(columns).into_iter().map(|at| cells[at].taken(&places)).collect();
                 chunk.extend(answers);
                 (first + count, chunk)
             }

@@ -30,7 +30,7 @@ impl Measure<'_> {
         let kind = entry.key.kind;
         let Value::Quantity(quantity) = &entry.value else { return Ok(f64::NAN) };
         match (quantity, self.unit(kind)) {
-            (Quantity::Measured { si, .. }, Some(unit)) => entry.finite(si / unit),
+            (Quantity::Measured { si, .. }, Some(unit)) => entry.measurable(entry.finite(si / unit)?),
             (Quantity::Measured { .. }, None) => Err(self.no_measure(entry)),
             (Quantity::Bare(value), None) => Ok(*value),
             // nothing is nothing in every unit

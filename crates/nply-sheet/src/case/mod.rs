@@ -1,5 +1,6 @@
 //! One ply, dimensionless, and the one question asked about it.
 
+mod check;
 mod ends;
 mod estimated;
 mod fibre;
@@ -26,10 +27,9 @@ use origin::Origins;
 use crate::key::Group;
 use crate::spec::{Entry, Spec, Value};
 pub(crate) use estimated::EstimatedPly;
-pub(crate) use relative::any_thermal;
 pub use strings::{StringStiffness, Strings};
 
-use crate::{Datum, ErrorKind, PreferredUnits, Quantity, SpecError};
+use crate::{Datum, ErrorKind, PreferredUnits, SpecError};
 
 /// A ply in which everything is known that the theory needs; lengths over r, forces over B/r², moments over B/r.
 ///
@@ -353,43 +353,5 @@ pub(crate) fn strands(spec: &Spec, least: u32) -> Result<u32, SpecError> {
             reason = "whole and between 2 and a million"
         )]
         Ok(number as u32)
-    }
-}
-
-impl Entry {
-    /// The number of a datum, in SI or bare; NaN for one that is no number (its kind rules that out).
-    pub(crate) fn number(&self) -> f64 {
-        match &self.value {
-            Value::Quantity(quantity) => quantity.si(),
-            _ => f64::NAN,
-        }
-    }
-
-    /// Whether it was written with a unit.
-    pub(crate) fn is_measured(&self) -> bool {
-        matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
-    }
-
-    /// Whether it was written as this very number, without a unit.
-    fn is_bare(&self, value: f64) -> bool {
-        !self.is_measured() && self.number().to_bits() == value.to_bits()
-    }
-
-    /// The value, if it is greater than zero and finite.
-    pub(crate) fn positive(&self, value: f64) -> Result<f64, SpecError> {
-        if value > 0.0 && value < f64::INFINITY {
-            return Ok(value);
-        }
-        let what = self.key.name.replace('_', " ");
-        Err(self.error(ErrorKind::Domain, format!("{}: a {what} must be greater than 0", self.said())))
-    }
-
-    /// The value, if it is finite still after it was made dimensionless.
-    pub(crate) fn finite(&self, value: f64) -> Result<f64, SpecError> {
-        if value.is_finite() {
-            return Ok(value);
-        }
-        let message = format!("{} is too large or too small to be calculated with", self.said());
-        Err(self.error(ErrorKind::Domain, message))
     }
 }

@@ -4,44 +4,16 @@ use std::borrow::Cow;
 
 use super::strand;
 use crate::spec::{Entry, Spec, Value};
-use crate::{Datum, Dimension, ErrorKind, Kind, Quantity, SpecError};
-
-impl Kind {
-    /// Whether a unit of this dimension is the one wanted once the temperature (kT) or the linear density (cN/tex) is known.
-    pub(crate) fn is_relative(self, found: Dimension) -> bool {
-        match self {
-            Self::Stiffness | Self::Force | Self::Moment | Self::ForcePerLength | Self::Pressure => {
-                self.dimension().and_then(|wanted| wanted.times(Dimension::TEMPERATURE, -1)) == Some(found)
-                    || (self == Self::Force && found == Dimension::SPECIFIC_STRESS)
-            }
-            _ => false,
-        }
-    }
-}
-
-/// The dimension of what a datum is said by, if it is said by another quantity.
-fn relative(entry: &Entry) -> Option<(f64, Dimension)> {
-    match &entry.value {
-        Value::Quantity(Quantity::Measured { si, unit }) if entry.key.kind.is_relative(unit.dimension()) => {
-            Some((*si, unit.dimension()))
-        }
-        _ => None,
-    }
-}
-
-/// Whether any datum is said in kT.
-pub(crate) fn any_thermal(spec: &Spec) -> bool {
-    spec.entries.iter().filter_map(relative).any(|(_, dimension)| dimension != Dimension::SPECIFIC_STRESS)
-}
+use crate::{Datum, Dimension, ErrorKind, Quantity, SpecError};
 
 /// The description with every such quantity in SI.
 pub(super) fn resolved(spec: &Spec) -> Result<Cow<'_, Spec>, SpecError> {
-    if !spec.entries.iter().any(|entry| relative(entry).is_some()) {
+    if !spec.entries.iter().any(|entry| entry.relative().is_some()) {
         return Ok(Cow::Borrowed(spec));
     }
     let mut whole = spec.clone();
     for entry in &mut whole.entries {
-        let Some((said, dimension)) = relative(entry) else { continue };
+        let Some((said, dimension)) = entry.relative() else { continue };
         let factor =
             if dimension == Dimension::SPECIFIC_STRESS { titre(spec, entry)? } else { temperature(spec, entry)? };
         let value = entry.finite(said * factor)?;

@@ -28,9 +28,7 @@ impl Strand {
         let radius = radius(spec)?;
         let bending_entry = only_one(spec, Group::Bending, "the bending stiffness of the strand")?;
         let torsion_entry = only_one(spec, Group::Torsion, "the torsional stiffness of the strand")?;
-        if let (Some(temperature), false) =
-            (spec.get(Datum::Temperature), any_persistence(spec) || super::relative::any_thermal(spec))
-        {
+        if let (Some(temperature), false) = (spec.get(Datum::Temperature), any_persistence(spec) || spec.is_thermal()) {
             let message = format!(
                 "a temperature is of use only with persistence lengths and kT: remove it, or give {}",
                 spec.call(Datum::BendingPersistenceLength)
@@ -55,9 +53,20 @@ impl Strand {
         let Some(torsion_entry) = torsion_entry else { return Err(torsion_missing(spec, bending_entry)) };
         let stiffness_ratio = stiffness_ratio(spec, torsion_entry, radius, bending)?;
         let scale = match (radius, bending, bending_entry) {
-            (Some(radius), Some(bending), Some(entry)) => Some(Scale::new(radius, bending).map_err(|refused| {
-                entry.error(ErrorKind::Domain, format!("{} cannot be calculated with: {refused}", entry.said()))
-            })?),
+            (Some(radius), Some(bending), Some(entry)) => {
+                let scale = Scale::new(radius, bending).map_err(|refused| {
+                    entry.error(ErrorKind::Domain, format!("{} cannot be calculated with: {refused}", entry.said()))
+                })?;
+                if !measures(scale) {
+                    let message = format!(
+                        "{} makes a bending stiffness of {bending:e} N m^2, and with a strand radius of {radius:e} m loads and stresses would \
+                         be no numbers: both are far from those of any strand",
+                        entry.said()
+                    );
+                    return Err(entry.error(ErrorKind::Domain, message));
+                }
+                Some(scale)
+            }
             _ => None,
         };
         Ok(Self { radius, scale, stiffness_ratio })
@@ -72,8 +81,40 @@ fn any_persistence(spec: &Spec) -> bool {
     spec.get(Datum::BendingPersistenceLength).is_some() || spec.get(Datum::TwistPersistenceLength).is_some()
 }
 
+/// Radii in m whose powers, and the loads that are measured by them, stay numbers.
+const RADII: core::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
 /// r in m, if it is given.
 pub(super) fn radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
+    let Some(radius) = given_radius(spec)? else { return Ok(None) };
+    if RADII.contains(&radius) {
+        return Ok(Some(radius));
+    }
+    let of_size = |entry: &&Entry| {
+        entry.key.group == Some(Group::Size) || [Datum::LinearDensity, Datum::HelixRadius].contains(&entry.key.datum)
+    };
+    let message = |said: &str| {
+        let [least, most] = [RADII.start(), RADII.end()];
+        format!(
+            "{said} makes a strand radius of {radius:e} m, and one of {least:e} m to {most:e} m can be calculated with"
+        )
+    };
+    Err(match spec.entries.iter().find(of_size) {
+        Some(entry) => entry.error(ErrorKind::Domain, message(&entry.said())),
+        None => SpecError::new(ErrorKind::Domain, spec.head(), message("the size that is given")),
+    })
+}
+
+/// Whether what B and r measure stays a number: forces, moments, forces per length, stresses and angles per load of ordinary plies.
+fn measures(scale: Scale) -> bool {
+    const SIZES: core::ops::RangeInclusive<f64> = 1e-250..=1e250;
+    let stress = scale.force_per_length(1.0) / scale.strand_radius();
+    [scale.stiffness(1.0), scale.force(1.0), scale.moment(1.0), scale.force_per_length(1.0), stress]
+        .iter()
+        .all(|unit| SIZES.contains(unit))
+}
+
+fn given_radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
     let Some(entry) = only_one(spec, Group::Size, "the size of the strand")? else {
         return fibre::radius(spec)?.map_or_else(|| helix::strand_radius(spec), |radius| Ok(Some(radius)));
     };
@@ -176,7 +217,8 @@ fn stiffness_ratio(spec: &Spec, entry: &Entry, radius: Option<f64>, bending: Opt
         }
         _ => given,
     };
-    entry.positive(ratio)
+    let ratio = entry.positive(ratio)?;
+    if radius.is_some() { entry.measurable(ratio) } else { Ok(ratio) }
 }
 
 /// What the torsional stiffness can be given by, beside what is given already.

@@ -1,5 +1,7 @@
 //! Strings that a motor twists together under a load: what `nply actuator` needs.
 
+use core::f64::consts::TAU;
+
 use nply::mechanics::{Twist, TwistedStrings};
 use nply::{Handedness, Scale};
 
@@ -37,6 +39,8 @@ pub struct Strings {
     pub handedness: Handedness,
     /// How far: rad per string length, times r, from 0 up to the most turns; `None` for as far as it goes.
     pub rotation: Option<f64>,
+    /// The turns of the motor that this is, as they were given where turns were.
+    pub turns: Option<f64>,
     /// γ, r and B, and the twist put into each string before they are wound; `None` for limp strings.
     pub stiffness: Option<StringStiffness>,
     /// Share of a string's cross-section that is fibre, where its titre gives its size.
@@ -119,6 +123,12 @@ impl Strings {
             Some(Entry { value: Value::Text(title), .. }) => Some(title.clone()),
             _ => None,
         };
+        // a number of turns is told as it was written, and not as its way through radians leaves it
+        let turns = turned.map(|(rotation, entry)| match entry.key.datum {
+            Datum::PlyTurns if !entry.is_measured() => entry.number().abs(),
+            Datum::PlyTurns => entry.number().abs() / TAU,
+            _ => rotation.abs() * strand_length / TAU,
+        });
         let left = turned.is_some_and(|(rotation, _)| rotation < 0.0);
         Ok(Self {
             title,
@@ -128,6 +138,7 @@ impl Strings {
             force: force(spec)?,
             handedness: if left { Handedness::Left } else { Handedness::Right },
             rotation: turned.map(|(rotation, _)| rotation.abs()),
+            turns,
             stiffness,
             packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),

@@ -35,6 +35,9 @@ pub(super) fn of(measure: &Measure<'_>, strand_length: Option<f64>) -> Result<Op
     };
     let (Twist::Pretwist(value) | Twist::StrandTwist(value)) = twist;
     entry.finite(value)?;
+    if measure.radius.is_some() {
+        entry.measurable(value)?;
+    }
     Ok(Some(twist))
 }
 

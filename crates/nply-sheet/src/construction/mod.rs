@@ -20,7 +20,6 @@
 mod cable;
 mod check;
 mod fit;
-mod key;
 mod material;
 mod written;
 
@@ -30,11 +29,11 @@ use nply::{DomainError, Handedness};
 pub use cable::{CableCase, CableQuestion};
 pub(crate) use check::GivenLayer;
 pub use fit::Fit;
-pub use key::CONSTRUCTION_KEYS;
 pub use material::{MATERIALS, Material};
 pub use written::ConstructionSpec;
 pub(crate) use written::{DEEPEST, MOST_LAYERS};
 
+pub use crate::key::CONSTRUCTION_KEYS;
 use crate::{PreferredUnits, SpecError};
 
 /// A layered strand in which every size is known. All in SI where the input has units, else in the input's own bare unit of

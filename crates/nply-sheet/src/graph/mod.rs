@@ -12,8 +12,8 @@ use nply::mechanics::{Balance, Ply};
 
 use crate::map::Axis;
 use crate::report::{Column, Known, Measure, Reading, data_of};
-use crate::spec::Spec;
-use crate::{Case, ErrorKind, Lay, Place, Question, SpecError, Table};
+use crate::spec::{Spec, Value};
+use crate::{Case, Datum, ErrorKind, Lay, Place, Quantity, Question, SpecError, Table};
 use course::Course;
 pub use curve::{GraphCurve, GraphPoint};
 pub use window::Scales;
@@ -57,6 +57,8 @@ pub struct Graph {
     series: Vec<Series>,
     hands: Vec<Handedness>,
     abscissa: Abscissa,
+    /// What runs in the words and the unit of the range, where the theory has another datum for it.
+    asked: Option<(String, Reading)>,
     against: Option<&'static Column>,
     ask: Vec<&'static Column>,
     scales: Scales,
@@ -102,6 +104,7 @@ impl Spec {
                 "equal lengths for equal ratios have no place for 0 and what is below: let the range lie above 0";
             return Err(refused(ErrorKind::Domain, "log-x", message));
         }
+        self.keeps_flags_beside(&from)?;
         let mut plies: Vec<Self> = vec![self.clone()];
         let mut vary = |flag: &str, values: Vec<String>| -> Result<(), SpecError> {
             if values.is_empty() {
@@ -139,12 +142,32 @@ impl Spec {
             return Err(refused(ErrorKind::Missing, "strands", "there is no ply")); // plies hold one at least
         };
         let hands = if flags.hands.is_empty() { Handedness::BOTH.to_vec() } else { flags.hands.clone() };
-        Ok(Graph { case, series, hands, abscissa, against, ask, scales: flags.scales })
+        let asked = match abscissa {
+            Abscissa::Datum(axis) => asked([&from, &to], axis),
+            Abscissa::Lay { .. } => None,
+        };
+        Ok(Graph { case, series, hands, abscissa, asked, against, ask, scales: flags.scales })
     }
 }
 
 fn refused(kind: ErrorKind, flag: &str, message: &str) -> SpecError {
     SpecError::new(kind, Place::Flag(flag.to_owned()), message)
+}
+
+/// What runs as it was asked for: turns of the ply and not turns per strand length, turns of the singles and not pretwist. `None` where
+/// the theory's datum is the one that was asked for, and for a surface angle, which is no multiple of the twist.
+fn asked([from, to]: [&Spec; 2], axis: Axis) -> Option<(String, Reading)> {
+    let ends = [(from.entries.first()?, axis.from), (to.entries.first()?, axis.to)];
+    let (entry, value) = ends.into_iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    if entry.key.name == axis.datum.name() || entry.key.datum == Datum::SurfaceAngle {
+        return None;
+    }
+    let (written, unit) = match &entry.value {
+        Value::Quantity(Quantity::Measured { si, unit }) => (unit.of_si(*si), unit.to_string()),
+        _ => (entry.number(), String::new()),
+    };
+    let factor = written / value;
+    factor.is_finite().then(|| (entry.key.flag.replace('-', " "), Reading { factor, unit }))
 }
 
 /// What runs between two cases, and how its states are found.
@@ -198,7 +221,11 @@ impl Graph {
             return (column.name, ask::label(column), reading);
         }
         match self.abscissa {
-            Abscissa::Datum(axis) => (axis.datum.name(), axis.datum.label().to_owned(), axis.reading(&self.case)),
+            Abscissa::Datum(axis) => {
+                let (label, reading) =
+                    self.asked.clone().unwrap_or_else(|| (axis.datum.label().to_owned(), axis.reading(&self.case)));
+                (axis.datum.name(), label, reading)
+            }
             Abscissa::Lay { from, .. } => {
                 let (name, label, measure) = course::words(from);
                 let reading = match measure {

@@ -88,6 +88,7 @@ impl Spec {
             return Err(to.entries[to.entries.len() - 1].error(ErrorKind::Contradiction, message));
         };
         let one = |entry| to.only(entry);
+        self.keeps_flags_beside(&from)?;
         let corner = self.onward(&from);
         let case = corner.check()?;
         let (start, right, top) = (

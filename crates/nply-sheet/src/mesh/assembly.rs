@@ -167,10 +167,20 @@ pub(super) fn ply_length(ply: &Subject, wanted: &Wanted<'_>, otherwise: f64) -> 
     }
     let message = if ply.angle.sin() == 0.0 {
         "straight strands have no lay length: give --length"
+    } else if turns > 0.0 && length > 0.0 {
+        "so many lay lengths are longer than any number: give fewer"
     } else {
         "it must be a number greater than 0"
     };
     Err(flag("lay-lengths", ErrorKind::Domain, message))
+}
+
+/// Cores thinner than this, in units of r, are lost among the roundings of their strands.
+const THINNEST_CORE: f64 = 1e-6;
+
+/// As many digits as a reader has use for.
+fn round(number: f64) -> String {
+    if number < 1e6 { format!("{number:.6}") } else { format!("{number:.3e}") }
 }
 
 /// The core's radius, in units of r, if there is one.
@@ -184,10 +194,14 @@ fn core_radius(ply: &Subject, wanted: &Wanted<'_>) -> Result<Option<f64>, SpecEr
     if radius <= 0.0 {
         return Err(flag("core", ErrorKind::Domain, "these strands leave no hole for a core: leave it out"));
     }
+    if radius < THINNEST_CORE {
+        let message = format!("a core of {radius:e} strand radii is too thin to be drawn: {THINNEST_CORE:e} at least");
+        return Err(flag("core", ErrorKind::Domain, message));
+    }
     // a core that was given and lies against the strands does so to rounding
     if radius > hole * (1.0 + 1e-9) {
         let message =
-            format!("a core of {radius:.6} strand radii overlaps the strands, which leave a hole of {hole:.6}");
+            format!("a core of {} strand radii overlaps the strands, which leave a hole of {hole:.6}", round(radius));
         return Err(flag("core", ErrorKind::Domain, message));
     }
     Ok(Some(radius))

@@ -4,6 +4,7 @@ use nply::geometry::{Centreline, Contact, DensestHelix, HelicalAngle};
 use nply::mechanics::{Equilibrium, SupportedState};
 use nply::{Handedness, Scale};
 
+use crate::spec::Value;
 use crate::{Case, Datum, ErrorKind, Place, PreferredUnits, Shape, Spec, SpecError, Table};
 
 /// A ply as a shape, with what is known of its strands; lengths in units of r.
@@ -99,9 +100,10 @@ impl Subject {
             let line = Centreline::helix(radius_ratio, angle, shape.hand.unwrap_or(Handedness::Right), 0.0);
             let line = line.map_err(|error| shape.locate(&error))?;
             Ok(Self {
-                title: match shape.strands {
-                    1 => "the densest helix of a tube".to_owned(),
-                    n => format!("{n} touching strands"),
+                title: match (spec.get(Datum::Title).map(|entry| &entry.value), shape.strands) {
+                    (Some(Value::Text(title)), _) => title.clone(),
+                    (_, 1) => "the densest helix of a tube".to_owned(),
+                    (_, n) => format!("{n} touching strands"),
                 },
                 strands: shape.strands,
                 angle,

@@ -97,9 +97,14 @@ impl<'a> Surface<'a> {
             Some(text) => positive_length("chord-error", text, ply.strand_radius, true)?,
             None => CHORD_ERROR,
         };
+        if let Some(around @ ..3) = fineness.around {
+            let message = format!("{around} facets round a strand make no body: at least 3 do");
+            return Err(flag("facets", ErrorKind::Domain, message));
+        }
         let refused = |error: nply::DomainError| {
             let name = match error.quantity {
-                "facets" | "chord_error" => "chord-error",
+                "facets" => return too_fine_or_coarse(&fineness, &error),
+                "chord_error" => "chord-error",
                 "pretwist" => "ends",
                 _ => "length",
             };
@@ -159,6 +164,24 @@ impl<'a> Surface<'a> {
         let of = |count: fn(&TubeMesh) -> usize| self.parts.iter().map(|part| count(&part.mesh)).sum();
         [of(|mesh| mesh.positions.len()), of(|mesh| mesh.triangles.len())]
     }
+}
+
+/// Facets that make no body, or too many: said of what asks for them.
+fn too_fine_or_coarse(fineness: &Fineness<'_>, error: &nply::DomainError) -> SpecError {
+    let (name, asks) = match *fineness {
+        Fineness { around: Some(around), segments: Some(segments), .. } => {
+            ("facets", format!("{around} facets round and {segments} segments"))
+        }
+        Fineness { around: Some(around), .. } => ("facets", format!("{around} facets round")),
+        Fineness { segments: Some(segments), .. } => ("segments", format!("{segments} segments")),
+        Fineness { chord_error: Some(text), .. } => {
+            ("chord-error", format!("a chord error of {}", crate::quoted(text)))
+        }
+        Fineness { .. } => ("chord-error", "the usual chord error".to_owned()),
+    };
+    let found = if error.value < 1e9 { error.value.to_string() } else { "more than 1e9".to_owned() };
+    let message = format!("with {asks} there would be {found} facets; they must be {}", error.allowed);
+    flag(name, ErrorKind::Domain, message)
 }
 
 /// The facets of a wire, so many round it that stripes have straight borders.

@@ -196,6 +196,7 @@ pub(super) fn of(
         .rows
         .iter()
         .zip(&best.settled)
+        .take_while(|_| (ground.may_go_on)())
         .map(|(row, settled)| fitted(ground, &best, row, settled, scale))
         .collect();
     let mut answer = Regressed {

@@ -18,6 +18,8 @@ pub(super) struct Ground<'a> {
     pub(super) free: &'a [usize],
     /// the size of one step in each
     pub(super) sizes: &'a [f64],
+    /// asked at every row; once it says no, rows are lost and the walk ends soon
+    pub(super) may_go_on: &'a dyn Fn() -> bool,
 }
 
 /// Where a walk ended.
@@ -49,6 +51,9 @@ impl Ground<'_> {
     /// Each row's state nearest to it under some parameters; or the lines without one.
     pub(super) fn search(&self, slots: &[f64; SLOTS]) -> Result<Vec<Settled>, Vec<usize>> {
         let nearest = |row: &Row| {
+            if !(self.may_go_on)() {
+                return None;
+            }
             let strand = self.model.strand(slots, row.twist);
             row.candidates(self.model, self.charted, &strand).into_iter().next()
         };
@@ -61,6 +66,9 @@ impl Ground<'_> {
     /// Each row's state continued from where it was; one that is lost is searched for.
     fn follow(&self, slots: &[f64; SLOTS], anchors: &[Spot]) -> Option<Vec<Settled>> {
         let settle = |(row, spot): (&Row, &Spot)| {
+            if !(self.may_go_on)() {
+                return None;
+            }
             let strand = self.model.strand(slots, row.twist);
             row.settle(self.model, self.charted, &strand, *spot)
                 .or_else(|| row.candidates(self.model, self.charted, &strand).into_iter().next())

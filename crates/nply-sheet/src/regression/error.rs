@@ -6,6 +6,9 @@ use super::{Observable, Parameter};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RegressionError {
+    /// It was not to go on.
+    #[error("the search was stopped")]
+    Stopped,
     /// Nothing is asked for.
     #[error("nothing is to be estimated: name one or more of {}", names())]
     NothingAsked,

@@ -1,5 +1,7 @@
 //! What is to be estimated, and from which columns.
 
+use core::cell::Cell;
+
 use nply::mechanics::Ply;
 
 use super::descent::{Bottom, Ground};
@@ -148,10 +150,38 @@ impl Regression {
     /// # Errors
     /// [`RegressionError`] where rows have no state at any start, and where there are fewer data than parameters.
     pub fn run(&self) -> Result<Regressed, RegressionError> {
+        self.run_while(&|_| true)
+    }
+
+    /// The same as long as it may go on: the function is told how many starts are behind, before every row of every step.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run), and [`RegressionError::Stopped`] soon after the function first says no.
+    ///
+    /// ```
+    /// use nply::mechanics::Balance;
+    /// use nply_sheet::regression::{DataColumn, Model, Observable, Parameter, Regression, RegressionError, Role};
+    /// let model = Model::new(3, Balance::Contact)?.with(Parameter::StiffnessRatio, 1.0)?;
+    /// let twist = DataColumn::held(Parameter::Pretwist, vec![-0.5, -1.0]);
+    /// let angle = DataColumn::new(Observable::HelicalAngle, vec![0.405, 0.534], Role::Unweighted);
+    /// let fit = Regression::new(model, &[Parameter::StiffnessRatio], vec![twist, angle])?;
+    /// assert_eq!(fit.run_while(&|starts| starts < 1).unwrap_err(), RegressionError::Stopped);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run_while(&self, may_go_on: &dyn Fn(usize) -> bool) -> Result<Regressed, RegressionError> {
+        let behind = Cell::new(0);
+        let may_go_on = &|| may_go_on(behind.get());
+        let or_stopped = || if may_go_on() { Ok(()) } else { Err(RegressionError::Stopped) };
         let free: Vec<usize> = self.asked.iter().map(|parameter| parameter.slot() as usize).collect();
         let sizes = self.sizes(&free);
-        let ground =
-            Ground { model: &self.model, charted: &self.charted, rows: &self.rows, free: &free, sizes: &sizes };
+        let ground = Ground {
+            model: &self.model,
+            charted: &self.charted,
+            rows: &self.rows,
+            free: &free,
+            sizes: &sizes,
+            may_go_on,
+        };
         // scouts go over some of many rows
         const SCOUTED: usize = 200;
         let stride = self.rows.len().div_ceil(SCOUTED);
@@ -165,6 +195,8 @@ impl Regression {
                 Ok(_) => {}
                 Err(lines) => lost = lost.or(Some(lines)),
             }
+            behind.set(start + 1);
+            or_stopped()?;
         }
         bottoms.sort_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
         let mut best: Option<Bottom> = None;
@@ -177,6 +209,7 @@ impl Regression {
                     Ok(_) => {}
                     Err(lines) => lost = Some(lines),
                 }
+                or_stopped()?;
             }
         } else {
             best = bottoms.first().cloned();
@@ -184,7 +217,9 @@ impl Regression {
         let Some(best) = best else {
             return Err(RegressionError::NoState { lines: lost.unwrap_or_default() });
         };
-        answer::of(self, &ground, best, &bottoms)
+        let answer = answer::of(self, &ground, best, &bottoms);
+        or_stopped()?;
+        answer
     }
 
     /// The size of one step in each slot: 1 in a logarithm, a twist by its own size.

@@ -64,6 +64,19 @@ impl RegressionReport {
     /// # Errors
     /// [`SpecError`] with its place: in the description, in the data, or at the flag.
     pub fn of(spec: &Spec, data: &Measurements, question: &RegressionQuestion) -> Result<Self, SpecError> {
+        Self::of_while(spec, data, question, &|_| true)
+    }
+
+    /// The same as long as it may go on: the function is told how many starts are behind, again and again.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of); and once the function says no, one that says so.
+    pub fn of_while(
+        spec: &Spec,
+        data: &Measurements,
+        question: &RegressionQuestion,
+        may_go_on: &dyn Fn(usize) -> bool,
+    ) -> Result<Self, SpecError> {
         let asked = asked(&question.estimate)?;
         let written = Written::of(spec, &asked)?;
         let roles = roles(question)?;
@@ -76,7 +89,7 @@ impl RegressionReport {
         let refused = |error: RegressionError| refused(spec, data, &asked, &error);
         let regression = Regression::with_lines(written.model, &asked, columns, data.lines()).map_err(refused)?;
         let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
-        let answer = regression.run().map_err(refused)?;
+        let answer = regression.run_while(may_go_on).map_err(refused)?;
         let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
         Ok(Self {
             title: written.title,

@@ -197,7 +197,12 @@ impl ClearanceReport {
         }
         let _ = writeln!(out, "\n{}", emphasis.heading(heading));
         let unit = self.set.unit.clone().unwrap_or_default();
-        let head = ["distance", "gap", "at", "and at", "x", "y", "z"].map(str::to_owned).to_vec();
+        // of wires whose size is not known nothing is said of gaps
+        let told = |place: usize| place != 1 || self.diameters.is_some();
+        let only = |cells: [String; 7]| {
+            cells.into_iter().enumerate().filter(|(at, _)| told(*at)).map(|(_, cell)| cell).collect()
+        };
+        let head = only(["distance", "gap", "at", "and at", "x", "y", "z"].map(str::to_owned));
         let mut rows = vec![Row { label: "wires".to_owned(), unit: String::new(), cells: head }];
         for pair in pairs.iter().take(LISTED) {
             let names = pair.wires.map(|wire| crate::quoted(&self.set.members[wire].name));
@@ -210,8 +215,7 @@ impl ClearanceReport {
             let middle = [0, 1, 2].map(|axis| 0.5 * a[axis] + 0.5 * b[axis]);
             let arcs = self.arclengths(pair);
             let cells = [pair.distance, pair.gap, arcs[0], arcs[1], middle[0], middle[1], middle[2]];
-            let cells = cells.map(six_digits).to_vec();
-            rows.push(Row { label, unit: unit.clone(), cells });
+            rows.push(Row { label, unit: unit.clone(), cells: only(cells.map(six_digits)) });
         }
         let mut table = String::new();
         lay_out(&mut table, &[("", rows)], emphasis);

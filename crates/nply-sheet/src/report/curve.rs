@@ -32,7 +32,16 @@ pub(super) fn theory(set: &CurveSet, extension: Option<Extension>) -> Result<Vec
                     member.file
                 ));
             }
-            Some(Extension { length, along }) => made.and_then(|curve| curve.extended(length, along)),
+            Some(Extension { length, along }) => {
+                let curve = made.map_err(|error| refusal(set, None, &error, [i, i]))?;
+                return curve.extended(length, along).map_err(|_| {
+                    format!(
+                        "{}: curve {} cannot be prolonged by {length:e}: that must be more than 1e-40 of its size, and lead nowhere beyond 1e300",
+                        member.file,
+                        quoted(&member.name)
+                    )
+                });
+            }
         };
         made.map_err(|error| refusal(set, extension, &error, [i, i]))
     };

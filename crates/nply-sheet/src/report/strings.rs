@@ -40,6 +40,8 @@ pub struct StringsReport {
 /// One position of the motor. Lengths in r, forces in N, moments in N r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Step {
+    /// of the motor
+    turns: f64,
     limp: TwistedStrings,
     /// L/r
     length: f64,
@@ -67,14 +69,14 @@ impl Step {
 
     /// Motor turns, for a sentence.
     fn turns(&self) -> String {
-        six_digits(self.rotation() * self.length / TAU)
+        six_digits(self.turns)
     }
 }
 
 pub(super) const STEP: &[Item<Step>] = {
     use Measure::{Degrees, Force, Length, Moment, Percent, Turns};
     &[
-        item("", "motor_turns", "motor", Turns, |s| Some(s.rotation() * s.length / TAU)),
+        item("", "motor_turns", "motor", Turns, |s| Some(s.turns)),
         item("", "helical_angle_deg", "angle", Degrees, |s| Some(s.limp.contact().angle().degrees())),
         item("", "length", "length", Length, |s| Some(s.length * s.limp.extension())),
         item("", "stroke", "stroke", Length, |s| Some(s.length * s.limp.contraction())),
@@ -119,7 +121,10 @@ impl StringsReport {
                 Some(rotation) => TwistedStrings::new(strings.strands, share * rotation)?,
             };
             let stiff = stiff(&strings, &limp)?;
-            Ok(Step { limp, length: strings.strand_length, force: strings.force, stiff, formula })
+            let turns = strings
+                .turns
+                .map_or(limp.rotation() * strings.strand_length / TAU, |turns| turns * i as f64 / steps as f64);
+            Ok(Step { turns, limp, length: strings.strand_length, force: strings.force, stiff, formula })
         };
         let steps: Vec<Step> = (0..=steps).map(step).collect::<Result<_, _>>().map_err(located)?;
         Ok(Self { strings, steps, most, formula, known })

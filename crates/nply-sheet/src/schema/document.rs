@@ -6,8 +6,8 @@ use super::node::{Object, list, words};
 use super::table::WANTED;
 use crate::construction::{CONSTRUCTION_KEYS, DEEPEST, MOST_LAYERS};
 use crate::key::Group;
+use crate::spec::sweep::SWEEP_KEYS;
 use crate::spec::{MAP_KEYS, MOST_LEGS};
-use crate::sweep::SWEEP_KEYS;
 use crate::{Datum, KEYS, Key, Kind, Table, map, sweep};
 
 /// What one key takes.

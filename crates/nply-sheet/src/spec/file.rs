@@ -6,9 +6,9 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::sweep::SweepSpec;
 use super::{Entry, MOST_LEGS, MapSpec, Spec, Value, read_text};
 use crate::key::nearest;
-use crate::sweep::SweepSpec;
 use crate::{ErrorKind, KEYS, Key, Kind, Place, SpecError, Table};
 
 impl Spec {

@@ -2,6 +2,10 @@
 
 pub(crate) mod file;
 mod hand;
+mod relative;
+pub(crate) mod sweep;
+mod toml_text;
+mod units;
 mod written;
 
 use nply::Handedness;
@@ -10,10 +14,9 @@ use nply::mechanics::Balance;
 pub(crate) use file::MAP_KEYS;
 
 use crate::key::{Group, nearest};
-use crate::sweep::SweepSpec;
-use crate::{
-    Case, Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, Shape, SpecError, Table,
-};
+use crate::{Datum, Dimension, ErrorKind, KEYS, Key, Kind, Place, Quantity, QuantityError, SpecError, Table};
+use sweep::SweepSpec;
+pub(crate) use toml_text::toml_text;
 
 /// A value, read according to the kind of its key.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +55,56 @@ impl Entry {
     /// An error about this datum, at its place.
     pub(crate) fn error(&self, kind: ErrorKind, message: impl Into<String>) -> SpecError {
         SpecError::new(kind, self.place.clone(), message).of_key(self.key.name)
+    }
+
+    /// The number of a datum, in SI or bare; NaN for one that is no number (its kind rules that out).
+    pub(crate) fn number(&self) -> f64 {
+        match &self.value {
+            Value::Quantity(quantity) => quantity.si(),
+            _ => f64::NAN,
+        }
+    }
+
+    /// Whether it was written with a unit.
+    pub(crate) fn is_measured(&self) -> bool {
+        matches!(self.value, Value::Quantity(Quantity::Measured { .. }))
+    }
+
+    /// Whether it was written as this very number, without a unit.
+    pub(crate) fn is_bare(&self, value: f64) -> bool {
+        !self.is_measured() && self.number().to_bits() == value.to_bits()
+    }
+
+    /// The value, if it is greater than zero and finite.
+    pub(crate) fn positive(&self, value: f64) -> Result<f64, SpecError> {
+        if value > 0.0 && value < f64::INFINITY {
+            return Ok(value);
+        }
+        let what = self.key.name.replace('_', " ");
+        Err(self.error(ErrorKind::Domain, format!("{}: a {what} must be greater than 0", self.said())))
+    }
+
+    /// The value, if what follows from it can be given back in the units of a strand that has a size.
+    pub(crate) fn measurable(&self, value: f64) -> Result<f64, SpecError> {
+        const MOST: f64 = 1e60;
+        if value.abs() <= MOST {
+            return Ok(value);
+        }
+        let message = format!(
+            "{} is {value:e} by the strand's own measure; where the strand has a size, numbers of {:e} to {MOST:e} are taken",
+            self.said(),
+            -MOST
+        );
+        Err(self.error(ErrorKind::Domain, message))
+    }
+
+    /// The value, if it is finite still after it was made dimensionless.
+    pub(crate) fn finite(&self, value: f64) -> Result<f64, SpecError> {
+        if value.is_finite() {
+            return Ok(value);
+        }
+        let message = format!("{} is too large or too small to be calculated with", self.said());
+        Err(self.error(ErrorKind::Domain, message))
     }
 }
 
@@ -202,81 +255,13 @@ impl Spec {
         // a temperature that no persistence length asks for any more goes with it
         let persistent = [Datum::BendingPersistenceLength, Datum::TwistPersistenceLength];
         let lost = |datum: &Datum| self.get(*datum).is_some();
-        let still = persistent.iter().any(|datum| merged.get(*datum).is_some()) || crate::case::any_thermal(&merged);
+        let still = persistent.iter().any(|datum| merged.get(*datum).is_some()) || merged.is_thermal();
         if persistent.iter().any(lost) && !still {
             merged
                 .entries
                 .retain(|entry| entry.key.datum != Datum::Temperature || matches!(entry.place, Place::Flag(_)));
         }
         merged
-    }
-
-    /// Understands the description as a whole: dimensionless numbers and one question.
-    ///
-    /// # Errors
-    /// [`SpecError`]: a datum is missing, data contradict each other or are too many, a unit stands where the input has no
-    /// scale (or the reverse), or no ply can be like this.
-    ///
-    /// ```
-    /// use nply_sheet::{ErrorKind, Spec};
-    /// let spec = Spec::from_flags([("strands", "1"), ("stiffness-ratio", "1"), ("pretwist", "-1")])?;
-    /// assert_eq!(spec.check().unwrap_err().kind(), ErrorKind::Domain);
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn check(&self) -> Result<Case, SpecError> {
-        Case::of(self, false)
-    }
-
-    /// As [`Spec::check`], asking what carries the strands ([`Question::Supported`](crate::Question::Supported)) whether or not a
-    /// core is given; without one, strands touch their neighbours or nothing.
-    ///
-    /// # Errors
-    /// [`SpecError`] as for [`Spec::check`], and where the shape is given, `separation` is asked, the balance is radial or an
-    /// external pressure acts.
-    ///
-    /// ```
-    /// use nply_sheet::{Report, Spec};
-    /// let flags = [("strands", "2"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.2"), ("force", "-0.3"), ("moment", "0.9")];
-    /// let report = Report::of(Spec::from_flags(flags)?.check_supports()?)?;
-    /// let json: serde_json::Value = serde_json::from_str(&report.json())?;
-    /// let open = json["states"].as_array().and_then(|states| states.iter().find(|state| state["support"] == "none"));
-    /// let angle = open.and_then(|state| state["helical_angle_deg"].as_f64()).unwrap_or(0.0);
-    /// assert!((angle - 50.36).abs() < 0.01); // free helices
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn check_supports(&self) -> Result<Case, SpecError> {
-        Case::of(self, true)
-    }
-
-    /// As [`Spec::check`], of a ply that is spun and let go: the twist of its singles, a wanted lay, or both.
-    ///
-    /// # Errors
-    /// [`SpecError`] as for [`Spec::check`], where a load is given, or a lay whose hand is not.
-    ///
-    /// ```
-    /// use nply_sheet::{Question, Spec};
-    /// let flags = [("strands", "2"), ("stiffness-ratio", "1"), ("helical-angle", "20 deg"), ("hand", "S")];
-    /// let case = Spec::from_flags(flags)?.check_plying()?;
-    /// assert!(matches!(case.question, Question::PretwistAt { .. }));
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn check_plying(&self) -> Result<Case, SpecError> {
-        Case::of_plying(self)
-    }
-
-    /// Strings that a motor twists together: number, size, length, pull, and turns if not all that go in are meant.
-    ///
-    /// # Errors
-    /// [`SpecError`] where one of these is missing, more turns are asked for than go in, or what such strings have not is given.
-    ///
-    /// ```
-    /// use nply_sheet::Spec;
-    /// let flags = [("strands", "2"), ("diameter", "1 mm"), ("strand-length", "0.5 m"), ("force", "20 N")];
-    /// assert_eq!(Spec::from_flags(flags)?.check_strings()?.rotation, None);
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn check_strings(&self) -> Result<crate::Strings, SpecError> {
-        crate::Strings::of(self)
     }
 
     /// Where it is said that strands are to stretch.
@@ -287,35 +272,6 @@ impl Spec {
     /// Whether strands are to stretch.
     pub(crate) fn stretches(&self) -> bool {
         self.get(Datum::Stretch).is_some_and(|entry| entry.value == Value::Switch(true))
-    }
-
-    /// The number of strands alone, 1 to a million.
-    ///
-    /// # Errors
-    /// [`SpecError`] if it is missing or no ply has it.
-    ///
-    /// ```
-    /// use nply_sheet::Spec;
-    /// assert_eq!(Spec::from_flags([("strands", "3")])?.check_strands()?, 3);
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn check_strands(&self) -> Result<u32, SpecError> {
-        crate::case::strands(self, 1)
-    }
-
-    /// Understands the shape alone: number of strands, lay, and the strand's radius if given.
-    ///
-    /// # Errors
-    /// [`SpecError`] as for [`Spec::check`]; one strand is accepted.
-    ///
-    /// ```
-    /// use nply_sheet::{Lay, Spec};
-    /// let shape = Spec::from_flags([("strands", "2"), ("helical-angle", "45 deg")])?.check_shape()?;
-    /// assert_eq!(shape.lay, Some(Lay::HelicalAngle(core::f64::consts::FRAC_PI_4)));
-    /// # Ok::<(), nply_sheet::SpecError>(())
-    /// ```
-    pub fn check_shape(&self) -> Result<Shape, SpecError> {
-        Shape::of(self)
     }
 
     /// The same place with nothing given.

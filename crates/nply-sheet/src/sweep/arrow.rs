@@ -5,7 +5,8 @@ use std::sync::Arc;
 use arrow_array::{Array, ArrayRef, RecordBatch, UInt64Array};
 use arrow_schema::{Field, Schema, SchemaRef};
 
-use super::{Study, refused};
+use super::Study;
+use crate::spec::sweep::refused;
 use crate::table::arrow::{batch, field, schema, values};
 use crate::table::{Column, Kind, TableError, Values};
 use crate::{ErrorKind, SpecError};
@@ -78,6 +79,9 @@ impl Study {
             (columns, self.solve_given(&given, &cells)?)
         };
         let (places, columns) = answers;
+        let rows = rows.project(&Self::carried(&given)).map_err(|error| {
+            refused(ErrorKind::WrongType, "rows", format!("the rows cannot be carried over: {error}"))
+        })?;
         let fields: Vec<Arc<Field>> =
             rows.schema().fields().iter().cloned().chain(own.iter().map(|column| Arc::new(field(column)))).collect();
         let metadata: std::collections::HashMap<String, String> =

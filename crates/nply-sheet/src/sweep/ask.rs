@@ -1,9 +1,10 @@
 //! What is asked of every state, by name and unit.
 
-use super::{Question, refused_at};
+use super::Question;
 use crate::key::{Group, nearest};
 use crate::report::{Find, Known, Listed, Measure, StateKind, unit_suffix};
 use crate::spec::Spec;
+use crate::spec::sweep::{refused_at, unit_of};
 use crate::table::Column;
 use crate::{Datum, ErrorKind, Key, Place, SpecError, Unit, quoted};
 
@@ -81,7 +82,7 @@ fn find(list: &[Listed], written: &str) -> Option<Output> {
         if unit_suffix(si) == suffix {
             return Some(Output::new(*listed, InUnit::Si));
         }
-        let unit = super::unit_of_suffix(suffix)?;
+        let unit = unit_of(suffix)?;
         (listed.measure.dimension() == Some(unit.dimension())).then(|| Output::new(*listed, InUnit::Of(unit)))
     })
 }

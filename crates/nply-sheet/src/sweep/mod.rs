@@ -13,128 +13,19 @@ mod plan;
 mod run;
 mod sample;
 mod sink;
-mod written;
 
+pub use crate::spec::sweep::{Order, Question, Sample, States, SweepFlags};
 pub use follow::Trail;
-pub use sample::Sample;
-pub use written::SweepFlags;
-pub(crate) use written::{SWEEP_KEYS, SweepSpec};
 
 use crate::report::StateKind;
 use crate::spec::Spec;
+use crate::spec::sweep::{Run, SweepSpec, refused, refused_at};
+use crate::spec::toml_text;
 use crate::table::{Column, Values};
-use crate::{ErrorKind, Place, SpecError, Unit, quoted};
+use crate::{ErrorKind, Key, Place, SpecError, quoted};
 use places::{Exact, Places};
 use plan::{GivenKey, Plan};
-use run::Run;
 use sample::Points;
-
-/// Which states of a row are told.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum States {
-    /// Every one, a row of the table each.
-    #[default]
-    All,
-    /// Those that are stable.
-    Stable,
-    /// The one that is followed from the row before, along what varies fastest.
-    Continued,
-}
-
-/// How the values of several data go together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// Each with each; the last varies fastest.
-    #[default]
-    Grid,
-    /// The first with the first, the second with the second.
-    Zip,
-}
-
-/// What is to be found in every row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Question {
-    /// The shape of a given lay, as `nply contact`.
-    Contact,
-    /// The states of touching strands, as `nply solve`.
-    States,
-    /// The states on neighbours, a core, both or free, as `nply support`.
-    Supports,
-}
-
-/// A word out of a list of words.
-fn chosen<T: Copy>(written: &str, place: &Place, known: &[(&str, T)]) -> Result<T, SpecError> {
-    let word = written.trim().to_lowercase();
-    if let Some((_, found)) = known.iter().find(|(name, _)| *name == word) {
-        return Ok(*found);
-    }
-    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-    let (last, rest) = names.split_last().unwrap_or((&"", &[]));
-    let message = format!("{} is not understood: what is wanted is {} or {last}", quoted(written), rest.join(", "));
-    Err(refused_at(ErrorKind::WrongType, place, message))
-}
-
-impl States {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::All, Self::Stable, Self::Continued];
-
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::All => "all",
-            Self::Stable => "stable",
-            Self::Continued => "continued",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &Self::ALL.map(|states| (states.name(), states)))
-    }
-}
-
-impl Order {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Grid, Self::Zip];
-
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Grid => "grid",
-            Self::Zip => "zip",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &Self::ALL.map(|order| (order.name(), order)))
-    }
-}
-
-impl Question {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::Contact, Self::States, Self::Supports];
-
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Contact => "contact",
-            Self::States => "states",
-            Self::Supports => "supports",
-        }
-    }
-
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &Self::ALL.map(|question| (question.name(), question)))
-    }
-}
-
-impl Sample {
-    fn read(written: &str, place: &Place) -> Result<Self, SpecError> {
-        chosen(written, place, &Self::ALL.map(|sample| (sample.name(), sample)))
-    }
-}
 
 /// A description of a ply, what varies in it from row to row, and what is asked of every row.
 ///
@@ -169,6 +60,11 @@ enum Layout {
     Given,
 }
 
+/// Whether every table of a study has a column of this name beside what varies and what is asked.
+fn is_of_every_table(name: &str) -> bool {
+    ["state", "reason"].contains(&name)
+}
+
 /// More rows than this are no table.
 const MOST_ROWS: u64 = 1 << 48;
 
@@ -193,6 +89,8 @@ impl Study {
                 return Err(refused_at(ErrorKind::Contradiction, &run.place, message));
             }
         }
+        let varied: Vec<&'static Key> = written.runs.iter().map(|run| run.key).collect();
+        base.keeps_flags_beside(&plan::placeholders(&base, &varied, &Place::Flag("sweep".to_owned())))?;
         let states = written.states.as_ref().map_or(States::default(), |(states, _)| *states);
         let neighbours = |why: &str| match &written.states {
             Some((States::Continued, place)) => {
@@ -313,7 +211,7 @@ impl Study {
         chunk
     }
 
-    /// The columns that answers to given rows have, beside which stand the given columns: `state`, what is asked, `reason`. An answer whose
+    /// The columns that answers to given rows have, beside which stand the given columns that are [`carried`](Study::carried): `state`, what is asked, `reason`. An answer whose
     /// name a given datum has already is left out.
     ///
     /// # Errors
@@ -321,6 +219,21 @@ impl Study {
     pub fn given_columns(&self, given: &[Column]) -> Result<Vec<Column>, SpecError> {
         let (plan, _) = self.plan_of(given)?;
         Ok(plan.columns)
+    }
+
+    /// Which of the given columns, by their places, stand in the table beside the answers: all but `state` and `reason`, which every table
+    /// of a study has. A table that an earlier study made can so be given as rows; its own `state` and `reason` take the place of the old.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// use nply_sheet::sweep::{Study, SweepFlags};
+    /// use nply_sheet::table::{Column, Kind};
+    /// let given = ["row", "pretwist", "state", "reason"].map(|name| Column::new(name, Kind::Text));
+    /// assert_eq!(Study::carried(&given), [0, 1]);
+    /// ```
+    #[must_use]
+    pub fn carried(given: &[Column]) -> Vec<usize> {
+        (0..given.len()).filter(|at| !is_of_every_table(&given[*at].name)).collect()
     }
 
     /// Answers to given rows: for each row of answers the place of the given row, from 0, and the columns that [`Study::given_columns`] tells.
@@ -375,9 +288,14 @@ impl Study {
         let mut plan = Plan::new(&self.base, &self.written, keys, states)?;
         // what is given stands there already
         let own = plan.columns.split_off(1 + plan.given.len());
-        if let Some(twice) = own.iter().find(|column| given.iter().any(|other| other.name == column.name)) {
-            let message =
-                format!("column {} would stand in the table twice: give it another name", quoted(&twice.name));
+        let is_twice =
+            |column: &&Column| !is_of_every_table(&column.name) && given.iter().any(|other| other.name == column.name);
+        if let Some(twice) = own.iter().find(is_twice) {
+            let message = format!(
+                "column {} would stand in the table twice, as it is given and as an answer: give it another name there, or ask for others \
+                 (--outputs)",
+                quoted(&twice.name)
+            );
             return Err(refused(ErrorKind::Contradiction, "rows", message));
         }
         plan.columns = own;
@@ -516,37 +434,6 @@ impl Study {
     }
 }
 
-/// A text in quotation marks, as TOML has it.
-fn toml_text(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .flat_map(|c| match c {
-            '"' => "\\\"".chars().collect::<Vec<_>>(),
-            '\\' => "\\\\".chars().collect(),
-            c if c.is_control() => format!("\\u{:04x}", c as u32).chars().collect(),
-            c => vec![c],
-        })
-        .collect();
-    format!("\"{escaped}\"")
-}
-
-impl crate::spec::Entry {
-    /// The value as a file has it.
-    fn as_toml(&self) -> String {
-        use crate::spec::Value;
-        match &self.value {
-            Value::Switch(switch) => switch.to_string(),
-            Value::Balance(balance) => format!("\"{}\"", balance.name()),
-            Value::Hand(hand) => format!("\"{}\"", if hand.sign() > 0.0 { "right" } else { "left" }),
-            Value::Text(text) => toml_text(text),
-            Value::Quantity(crate::Quantity::Bare(value)) if self.key.kind == crate::Kind::Count => value.to_string(),
-            Value::Quantity(crate::Quantity::Bare(value)) => format!("{value:?}"),
-            // as it was written, whose last digit is that of the value
-            Value::Quantity(crate::Quantity::Measured { .. }) => toml_text(self.written.trim_matches('"')),
-        }
-    }
-}
-
 /// How many rows these make.
 fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
     let mut counts = Vec::new();
@@ -578,17 +465,4 @@ fn counted(runs: &[Run], order: Order) -> Result<u64, SpecError> {
             }
         }
     }
-}
-
-fn refused(kind: ErrorKind, flag: &str, message: impl Into<String>) -> SpecError {
-    SpecError::new(kind, Place::Flag(flag.to_owned()), message)
-}
-
-fn refused_at(kind: ErrorKind, place: &Place, message: impl Into<String>) -> SpecError {
-    SpecError::new(kind, place.clone(), message)
-}
-
-/// The unit that a suffix stands for, whatever it measures.
-fn unit_of_suffix(suffix: &str) -> Option<Unit> {
-    written::unit_of(suffix)
 }

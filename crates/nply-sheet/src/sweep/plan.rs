@@ -6,12 +6,13 @@ use nply::geometry::Contact;
 
 use super::ask::{Base, Output};
 use super::fast::Fast;
-use super::run::{self, Run, may_vary, quantity};
+use super::run::quantity;
 use super::sink::{Answers, Sink};
-use super::written::{SweepSpec, find_key, unit_behind};
-use super::{States, refused};
+
+use super::States;
 use crate::report::{Found, Given, Known, StateKind};
 use crate::solve;
+use crate::spec::sweep::{Run, SweepSpec, find_key, may_vary, refused, refused_at, unit_behind};
 use crate::spec::{Entry, Spec, Value, read_text};
 use crate::table::{Column, Kind as Cells, Values};
 use crate::{ErrorKind, Key, Kind, Place, SpecError, Unit, quoted};
@@ -70,7 +71,7 @@ impl GivenKey {
                     );
                 }
             }
-            None if !run::is_word(key) && !key.kind.may_be_bare() && column.kind != Cells::Text => {
+            None if !key.is_word() && !key.kind.may_be_bare() && column.kind != Cells::Text => {
                 return refuse(
                     ErrorKind::WrongUnit,
                     format!("its unit is missing: name it with its unit, such as `{name}_{}`", an_example(key)),
@@ -113,7 +114,7 @@ impl GivenKey {
     }
 
     fn number(&self, value: f64, place: &Place) -> Result<Value, SpecError> {
-        if run::is_word(self.key) {
+        if self.key.is_word() {
             return read_text(self.key, &format!("{value}"), place);
         }
         let quantity = quantity(value, self.unit.as_ref());
@@ -208,7 +209,7 @@ impl Plan {
             let place = written.states.as_ref().map_or(&place, |(_, place)| place);
             let message =
                 "the shape of a lay is no equilibrium: no state of it is stable or continued; leave `states` out";
-            return Err(super::refused_at(ErrorKind::Contradiction, place, message));
+            return Err(refused_at(ErrorKind::Contradiction, place, message));
         }
         let mut outputs = described.outputs(kind, asked)?;
         // what is given stands in its own column
@@ -342,8 +343,8 @@ impl Plan {
     }
 }
 
-/// A description without what these data take the place of.
-fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
+/// A row that gives these data, whatever their values.
+pub(super) fn placeholders(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
     let mut row = base.nothing_given();
     row.entries = keys
         .iter()
@@ -354,7 +355,12 @@ fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
             written: String::new(),
         })
         .collect();
-    let mut rest = base.onward(&row);
+    row
+}
+
+/// A description without what these data take the place of.
+fn without(base: &Spec, keys: &[&'static Key], place: &Place) -> Spec {
+    let mut rest = base.onward(&placeholders(base, keys, place));
     rest.entries.retain(|entry| keys.iter().all(|key| key.datum != entry.key.datum));
     rest
 }

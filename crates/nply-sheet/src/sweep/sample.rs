@@ -3,29 +3,7 @@
 use sobol::Sobol;
 use sobol::params::JoeKuoD6;
 
-/// How points are spread.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Sample {
-    /// Sobol's sequence with the direction numbers of Joe and Kuo (2008), shifted digit by digit by the seed: of any 2ᵏ points from a
-    /// multiple of 2ᵏ on each of 2ᵏ equal parts of a range has one.
-    Sobol,
-    /// A Latin hypercube: each of as many equal parts of a range as there are points has one, in an order of its own.
-    Latin,
-}
-
-impl Sample {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Sobol, Self::Latin];
-
-    /// The name in files and flags.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sobol => "sobol",
-            Self::Latin => "latin",
-        }
-    }
-}
+use super::Sample;
 
 /// The most dimensions: that many data there are not.
 const MOST: usize = 100;

@@ -14,6 +14,8 @@ pub mod arrow;
 mod block;
 mod column;
 mod comma;
+#[cfg(feature = "parquet")]
+mod damaged;
 mod error;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -22,6 +24,8 @@ mod writer;
 
 pub use block::{Block, BlockFile, Encoder, Format, Mark};
 pub use column::{Column, Kind, Values};
+#[cfg(feature = "parquet")]
+pub use damaged::panic_is_caught;
 pub use error::TableError;
 pub use reader::TableReader;
 pub use writer::TableWriter;

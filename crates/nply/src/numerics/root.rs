@@ -39,9 +39,12 @@ pub(crate) fn bracketed(
     }
 }
 
+/// Squares of less underflow, and what is made of them has no sign.
+const LEAST: f64 = 1e-150;
+
 /// A point between 0 ≤ `low` < `high`: in the middle, or midway in orders of magnitude where those differ.
 fn between(low: f64, high: f64) -> f64 {
-    if high > 4.0 * low && low < 1e-3 { libm::sqrt(low.max(1e-300) * high) } else { 0.5 * (low + high) }
+    if high > 4.0 * low && low < 1e-3 { libm::sqrt(low.max(1e-300) * high).max(LEAST) } else { 0.5 * (low + high) }
 }
 
 #[cfg(test)]

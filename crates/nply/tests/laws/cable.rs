@@ -34,6 +34,12 @@ fn any_cable() -> impl Strategy<Value = (f64, Vec<Layer>)> {
     })
 }
 
+/// Force and moment of core and layers together.
+fn carried(state: &CableState) -> [f64; 2] {
+    let sum = |of: fn(&nply::mechanics::LayerState) -> f64| state.layers().iter().map(of).sum::<f64>();
+    [state.core_force().unwrap() + sum(|l| l.force), state.core_moment().unwrap() + sum(|l| l.moment)]
+}
+
 fn made(core: f64, layers: &[Layer]) -> Option<Cable> {
     Cable::new(Some(Rod::solid_round(core, 120.0, 0.3).unwrap()), layers).ok()
 }
@@ -63,10 +69,9 @@ proptest! {
                 prop_assert!((got - want).abs() < 1e-5 * size, "{got} {want}");
             }
         }
-        let sum = |of: fn(&nply::mechanics::LayerState) -> f64| state.layers().iter().map(of).sum::<f64>();
+        let [force, moment] = carried(&state);
         let size = 1e-11 * (1.0 + state.force().abs() + state.moment().abs()) * cable.metal_area() * 100.0;
-        prop_assert!((state.core_force().unwrap() + sum(|l| l.force) - state.force()).abs() < size);
-        prop_assert!((state.core_moment().unwrap() + sum(|l| l.moment) - state.moment()).abs() < size);
+        prop_assert!((force - state.force()).abs() < size && (moment - state.moment()).abs() < size);
     }
 
     /// What the first layer presses with is what it takes to swell the core: the slope of the energy by the core's radius, which the
@@ -128,7 +133,7 @@ proptest! {
         prop_assert!((a.moment() + b.moment()).abs() < 1e-10 * (1.0 + a.moment().abs()));
     }
 
-    /// What is given is met.
+    /// What is given is met: core and layers together carry the loads.
     #[test]
     fn loads_are_met((core, layers) in any_cable(), pull in 0.0..0.005) {
         let Some(cable) = made(core, &layers) else { return Ok(()) };
@@ -137,10 +142,32 @@ proptest! {
         for (free, grips) in ends.into_iter().enumerate() {
             match cable.loaded(grips) {
                 Ok(state) => {
-                    prop_assert!((state.force() - force).abs() < 1e-9 * (1.0 + force));
-                    prop_assert!(free == 0 || state.moment().abs() < 1e-8 * (1.0 + force));
+                    let [carried, turned] = carried(&state);
+                    prop_assert!((carried - force).abs() < 1e-9 * (1.0 + force));
+                    prop_assert!(free == 0 || turned.abs() < 1e-8 * (1.0 + force));
+                    // and they are told as they were given, to the last digit
+                    prop_assert!(state.force() == force && (free == 0 || state.moment() == 0.0));
                 }
                 Err(error) => prop_assert!(error.allowed.starts_with("such that a state near"), "{error}"),
+            }
+        }
+    }
+
+    /// A cable of preformed wires as laid holds nothing: not a force, not a strain, not a pressure that is left of rounding; nor does one
+    /// under no load.
+    #[test]
+    fn nothing_is_nothing((core, layers) in any_cable()) {
+        let preformed: Vec<Layer> = layers.iter().map(|layer| Layer { preforming: 1.0, ..*layer }).collect();
+        let Some(cable) = made(core, &preformed) else { return Ok(()) };
+        let free = CableGrips::Loads { force: 0.0, moment: 0.0 };
+        for state in [cable.laid().unwrap(), cable.loaded(free).unwrap()] {
+            prop_assert!(state.force() == 0.0 && state.moment() == 0.0 && state.strain() == 0.0 && state.turning() == 0.0);
+            for layer in state.layers() {
+                let all = [
+                    layer.strain, layer.bending_strain, layer.twist_strain, layer.force, layer.moment, layer.pressure_below,
+                    layer.interstrand_pressure,
+                ];
+                prop_assert!(all.iter().all(|value| *value == 0.0), "{all:?}");
             }
         }
     }
@@ -353,13 +380,11 @@ fn shared_loads_hold_the_least_energy() {
                 Err(error) => panic!("{error} at {king} {nu} {force} {turned}"),
             };
             shared[usize::from(two)] += 1;
-            assert!((state.force() - force).abs() < 1e-9 * ea);
-            assert!(turned || (state.moment() - moment).abs() < 1e-9 * ea);
             let both: Vec<_> = state.layers().iter().filter(|l| l.support == LayerSupport::Both).collect();
             assert!(both.iter().all(|l| l.pressure_below >= 0.0 && l.interstrand_pressure >= 0.0));
-            let (of_core, of_layers) =
-                (state.core_force().unwrap(), state.layers().iter().map(|l| l.force).sum::<f64>());
-            assert!((of_core + of_layers - force).abs() < 1e-9 * ea, "{} {force}", of_core + of_layers);
+            let [pulls, turns] = carried(&state);
+            assert!((pulls - force).abs() < 1e-9 * ea, "{pulls} {force}");
+            assert!(turned || (turns - moment).abs() < 1e-9 * ea, "{turns} {moment}");
             for k in 0..16 {
                 let (s, c) = (f64::from(k) * TAU / 16.0).sin_cos();
                 let h = 1e-6;

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use nply::Handedness;
 use nply::mechanics::{CableState, LayerState};
 
 use crate::Dimension;
@@ -43,7 +44,7 @@ const SMALL: &str = "Stiffness against small changes";
 const OPENS: &str = "Margin to birdcaging (what presses least lets go)";
 
 #[rustfmt::skip] // a table: one row a line
-pub(super) static OF_CABLE: [Figure<CableState>; 20] = [
+pub(super) static OF_CABLE: [Figure<CableState>; 22] = [
     figure(STATE, "force", "force (tension +)", FORCE, |s| Some(s.force())),
     figure(STATE, "moment", "moment (right-handed +)", MOMENT, |s| Some(s.moment())),
     figure(STATE, "strain", "strain", Sort::Percent, |s| Some(s.strain())),
@@ -64,6 +65,8 @@ pub(super) static OF_CABLE: [Figure<CableState>; 20] = [
     figure(OPENS, "lift_off_force", "at a force of, ends not turning", FORCE, |s| lift_off(s, true, CableState::force)),
     figure(OPENS, "lift_off_force_at_moment", "at a force of, under this moment", FORCE, |s| lift_off(s, false, CableState::force)),
     figure(OPENS, "lift_off_strain", "at a strain of, ends not turning", Sort::Percent, |s| lift_off(s, true, CableState::strain)),
+    figure(OPENS, "lift_off_turning_left", "at turns put in of, turned to the left, under this force", TURNING, |s| Some(s.lift_off_by_turning(Handedness::Left)?.state.turning())),
+    figure(OPENS, "lift_off_turning_right", "at turns put in of, turned to the right, under this force", TURNING, |s| Some(s.lift_off_by_turning(Handedness::Right)?.state.turning())),
 ];
 
 const SHAPE: &str = "Core and layers";

@@ -55,12 +55,31 @@ impl<S: Drawn> Walked<S> {
         Picture::column([angles, pressures])
     }
 
-    /// Stations in runs of one verdict, neighbouring runs sharing their border.
+    /// Stations and what happens between them, in the order of the walk, with their legs; and whether a curve may change there: it does not
+    /// at an event, which is the end of one stretch and the beginning of the next.
+    fn walked(&self) -> impl Iterator<Item = (usize, &S, bool)> {
+        self.legs.iter().enumerate().flat_map(|(i, leg)| {
+            let stations = leg.trace.stations.iter().enumerate();
+            stations.flat_map(move |(at, station)| {
+                let events = leg.trace.events.iter().filter(move |event| event.before == at);
+                let between = events.map(move |event| (i + 1, &event.station, false));
+                between.chain([(i + 1, station, true)])
+            })
+        })
+    }
+
+    /// The walk in runs of one verdict, neighbouring runs sharing their border. What is marginal belongs to the run it is met in.
     fn runs(&self) -> Vec<Run<'_, S>> {
         let mut runs: Vec<Run<'_, S>> = Vec::new();
-        for (leg, station) in self.stations() {
-            let dashed = station.verdict().is_some_and(|verdict| verdict != Stability::Stable) || station.separated();
-            let name = match (dashed, station.verdict()) {
+        let mut met_first = Vec::new();
+        for (leg, station, decides) in self.walked() {
+            let verdict = station.verdict();
+            if !decides || verdict == Some(Stability::Marginal) {
+                runs.last_mut().map_or(&mut met_first, |(_, _, run)| run).push((leg, station));
+                continue;
+            }
+            let dashed = verdict.is_some_and(|verdict| verdict != Stability::Stable) || station.separated();
+            let name = match (dashed, verdict) {
                 (false, None) => "p ≥ 0",
                 (false, Some(_)) => "stable",
                 (true, _) if station.separated() => "p < 0",
@@ -72,8 +91,14 @@ impl<S: Drawn> Walked<S> {
                     let border = run.last().copied();
                     runs.push((name, dashed, border.into_iter().chain([(leg, station)]).collect()));
                 }
-                None => runs.push((name, dashed, vec![(leg, station)])),
+                None => {
+                    let begun = std::mem::take(&mut met_first);
+                    runs.push((name, dashed, begun.into_iter().chain([(leg, station)]).collect()));
+                }
             }
+        }
+        if !met_first.is_empty() {
+            runs.push(("marginal", false, met_first));
         }
         runs
     }
@@ -249,5 +274,35 @@ const fn shape(mark: Mark) -> (MarkerShape, usize) {
         Mark::StrainLimit => (MarkerShape::Plus, 2),
         Mark::Straight => (MarkerShape::Square, 6),
         Mark::Buckling => (MarkerShape::Circle, 3),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+    use super::super::{TraceReport, Walk};
+    use super::*;
+    use crate::Spec;
+
+    fn walked(flags: &[(&str, &str)], to: &[(&str, &str)]) -> TraceReport {
+        let corner = |flags: &[(&str, &str)], prefix| Spec::from_prefixed_flags(prefix, flags.iter().copied()).unwrap();
+        let cases = corner(flags, "").check_path(Some(&corner(to, "to-"))).unwrap();
+        TraceReport::of(cases, Walk::default()).unwrap()
+    }
+
+    /// Three strands pushed until they part are stable up to the force at which they part, and their curve is whole up to there.
+    #[test]
+    fn a_stretch_has_its_verdict_up_to_the_event_that_ends_it() {
+        let report =
+            walked(&[("strands", "3"), ("stiffness-ratio", "0.667"), ("pretwist", "-0.1885")], &[("force", "-0.5")]);
+        let walked = report.stiff().unwrap();
+        let parts = walked.events().find(|(_, event)| matches!(event.mark, Mark::ContactChange(_))).unwrap().1;
+        let runs = walked.runs();
+        let (name, dashed, run) = &runs[0];
+        assert_eq!((*name, *dashed), ("stable", false));
+        let reached = run.iter().map(|(_, station)| station.load.force).fold(0.0, f64::min);
+        assert!((reached - parts.station.load.force).abs() < 1e-9, "{reached} {}", parts.station.load.force);
+        // and the next begins where it ends
+        assert_eq!(runs[1].2[0].1.load, run.last().unwrap().1.load);
     }
 }

@@ -63,7 +63,8 @@ impl<S: Stop> Walked<S> {
             row(String::new(), [""; 4], &|(_, column)| column.unit.clone()),
         ];
         for (i, (label, station)) in shown.iter().enumerate() {
-            let share = format!("{:.4}", station.along());
+            // back at the start, rounding may leave a little less than nothing
+            let share = format!("{:.4}", libm::round(station.along() * 1e4) / 1e4 + 0.0);
             let verdict = station.verdict().map_or("–", Stability::name);
             let first = [share.as_str(), hand(station.hand()), carried_by(station), verdict];
             rows.push(row(label.clone(), first, &|(_, column)| column.cells[i].clone()));

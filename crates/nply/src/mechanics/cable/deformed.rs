@@ -31,9 +31,16 @@ pub(super) struct Deformed {
     pub(super) touching: Contact,
 }
 
+/// By how much the cable's length and turns differ from those as laid, over these: nothing is lost of a small difference.
+struct Displaced {
+    length: Jet2,
+    turns: Jet2,
+}
+
 /// Shape and energy of a rod at a radius.
 struct At {
-    lambda: Jet2,
+    /// λ − 1
+    strain: Jet2,
     sin: Jet2,
     cos: Jet2,
     thick: Jet2,
@@ -41,21 +48,33 @@ struct At {
 }
 
 impl Laid {
-    /// Per unstretched rod length: cable length, and turns in the sense of the hand.
-    fn displacements(&self, strain: f64, turning: f64) -> (Jet2, Jet2) {
-        let c0 = self.angle.cos();
-        let eps = self.layer.handedness.sign();
-        let z = Jet2::of_a(Jet::new(c0 * (1.0 + strain), c0, 0.0));
-        let y = Jet2::of_b(Jet::new(self.rotation() + eps * c0 * turning, eps * c0, 0.0));
-        (z, y)
+    fn displaced(&self, strain: f64, turning: f64) -> Displaced {
+        let by_turning = self.layer.handedness.sign() * self.angle.cos() / self.rotation();
+        Displaced {
+            length: Jet2::of_a(Jet::new(strain, 1.0, 0.0)),
+            turns: Jet2::of_b(Jet::new(by_turning * turning, by_turning, 0.0)),
+        }
     }
 
-    fn at(&self, z: Jet2, y: Jet2, radius: Jet2) -> At {
-        let around = radius * y;
-        let lambda = (z * z + around * around).sqrt();
+    /// The rod on a helix of that radius. All differences are taken from the lay as made, in which they are 0 to the last digit: λ² − 1 is
+    /// cos²θ₀ [(1 + e)² − 1] + sin²θ₀ [(1 + w)² − 1], with the way around 1 + w = (R/R₀)(1 + turns).
+    fn at(&self, displaced: &Displaced, radius: Jet2) -> At {
+        let (s0, c0) = (self.angle.sin(), self.angle.cos());
+        let one = Jet2::constant(1.0);
+        let over = |x: Jet2| 2.0 * x + x * x;
+        let wider = (1.0 / self.radius) * (radius - Jet2::constant(self.radius));
+        let around = wider + displaced.turns + wider * displaced.turns;
+        let excess = (c0 * c0) * over(displaced.length) + (s0 * s0) * over(around);
+        let lambda = (one + excess).sqrt();
+        let strain = excess * (one + lambda).recip();
         let inverse = lambda.recip();
-        let thick = Jet2::constant(1.0) - self.layer.rod.poissons_ratio() * (lambda - Jet2::constant(1.0));
-        At { lambda, sin: around * inverse, cos: z * inverse, thick, turn: y }
+        At {
+            strain,
+            sin: s0 * ((one + around) * inverse),
+            cos: c0 * ((one + displaced.length) * inverse),
+            thick: one - self.layer.rod.poissons_ratio() * strain,
+            turn: self.rotation() * (one + displaced.turns),
+        }
     }
 
     /// Energy per rod and unstretched rod length.
@@ -63,7 +82,7 @@ impl Laid {
         let [k0, u0] = self.natural();
         let rod = self.layer.rod;
         let eps = self.layer.handedness.sign();
-        let strain = at.lambda - Jet2::constant(1.0);
+        let strain = at.strain;
         let bent = at.turn * at.sin - Jet2::constant(k0);
         let twisted = at.turn * at.cos - Jet2::constant(u0);
         let half = |stiffness: f64, x: Jet2| (0.5 * stiffness) * (x * x);
@@ -89,18 +108,18 @@ impl Laid {
     /// Where the layer lies on what is below (a radius), or on its neighbours where they would overlap there. With `both` it is taken to lie on
     /// both, with the derivatives of what lies on what is below.
     pub(super) fn deformed(&self, strain: f64, turning: f64, below: Jet2, both: bool) -> Option<Deformed> {
-        let (z, y) = self.displacements(strain, turning);
-        if !(z.value > 0.0 && y.value > 0.0) {
-            return None; // unlaid altogether, or squeezed to nothing
+        let to = self.displaced(strain, turning);
+        if !(to.length.value > -1.0 && to.turns.value > -1.0) {
+            return None; // squeezed to nothing, or unlaid altogether
         }
         let r = self.layer.rod.radius();
         let none = Jet2::constant(0.0);
-        let on_below = self.settle(z, y, below, |at| r * at.thick)?;
-        let on_neighbours = || self.settle(z, y, none, |at| r * at.thick * self.touching(at));
+        let on_below = self.settle(&to, below, |at| r * at.thick)?;
+        let on_neighbours = || self.settle(&to, none, |at| r * at.thick * self.touching(at));
         let (support, radius, meeting) = if both {
             (LayerSupport::Both, on_below, Some(on_neighbours()? - on_below))
         } else {
-            let at = self.at(z, y, on_below);
+            let at = self.at(&to, on_below);
             let room = r * at.thick * self.touching(&at);
             if room.value > on_below.value {
                 (LayerSupport::Neighbours, on_neighbours()?, None)
@@ -108,18 +127,17 @@ impl Laid {
                 (LayerSupport::Below, on_below, None)
             }
         };
-        let at = self.at(z, y, radius);
+        let at = self.at(&to, radius);
         let (energy, extension, bent, twisted) = self.energy(&at);
         let angle = HelicalAngle::of_tangent(at.sin.value, at.cos.value);
-        let free = self.over_radius(z, y, radius.value);
+        let free = self.over_radius(&to, radius.value);
         Some(Deformed {
             support,
             radius,
             outer: radius + r * at.thick,
             energy,
             angle,
-            // what is but rounding of λ is no strain
-            strain: if extension.value.abs() <= 4.0 * f64::EPSILON { 0.0 } else { extension.value },
+            strain: extension.value,
             bending: bent.value,
             torsion: self.layer.handedness.sign() * twisted.value,
             by_radius: self.energy(&free).0.a,
@@ -131,15 +149,16 @@ impl Laid {
     }
 
     /// At given length and turns, the radius being the variable.
-    fn over_radius(&self, z: Jet2, y: Jet2, radius: f64) -> At {
-        self.at(Jet2::constant(z.value), Jet2::constant(y.value), Jet2::of_a(Jet::new(radius, 1.0, 0.0)))
+    fn over_radius(&self, to: &Displaced, radius: f64) -> At {
+        let here = Displaced { length: Jet2::constant(to.length.value), turns: Jet2::constant(to.turns.value) };
+        self.at(&here, Jet2::of_a(Jet::new(radius, 1.0, 0.0)))
     }
 
     /// The radius that is the room it asks for beside what is below, with its derivatives.
-    fn settle(&self, z: Jet2, y: Jet2, below: Jet2, room: impl Fn(&At) -> Jet2) -> Option<Jet2> {
+    fn settle(&self, to: &Displaced, below: Jet2, room: impl Fn(&At) -> Jet2) -> Option<Jet2> {
         let step = |radius: Jet2| {
-            let excess = radius - below - room(&self.at(z, y, radius));
-            (excess, 1.0 - room(&self.over_radius(z, y, radius.value)).a)
+            let excess = radius - below - room(&self.at(to, radius));
+            (excess, 1.0 - room(&self.over_radius(to, radius.value)).a)
         };
         let over = |radius: f64| step(Jet2::constant(radius));
         // too little room at next to no radius, more than enough far out: rods lie flat there
@@ -153,6 +172,10 @@ impl Laid {
         let mut radius = self.radius;
         for _ in 0..200 {
             let (excess, slope) = over(radius);
+            // the radius as laid stays what it is
+            if excess.value.abs() <= 2.0 * f64::EPSILON * radius {
+                break;
+            }
             if excess.value > 0.0 {
                 high = radius;
             } else {
@@ -167,12 +190,12 @@ impl Laid {
             }
         }
         // each turn of Newton's iteration gets one more order of the derivatives right
-        let mut radius = Jet2::constant(radius);
+        let mut curved = Jet2::constant(radius);
         for _ in 0..3 {
-            let (excess, slope) = step(radius);
-            radius = radius - (1.0 / slope) * excess;
+            let (excess, slope) = step(curved);
+            curved = Jet2 { value: radius, ..curved - (1.0 / slope) * excess };
         }
-        radius.aa.is_finite().then_some(radius)
+        curved.aa.is_finite().then_some(curved)
     }
 
     /// What of the cable's force and moment is this layer's, per rod and unstretched rod length: the slopes of its energy, and of the room its
@@ -185,8 +208,8 @@ impl Laid {
         [below, neighbours]: [f64; 2],
         above: f64,
     ) -> [f64; 2] {
-        let (z, y) = self.displacements(strain, turning);
-        let at = self.at(z, y, Jet2::constant(deformed.radius.value));
+        let to = self.displaced(strain, turning);
+        let at = self.at(&to, Jet2::constant(deformed.radius.value));
         let thick = self.layer.rod.radius() * at.thick;
         let total = self.energy(&at).0 + below * thick + neighbours * (thick * self.touching(&at)) + above * thick;
         [total.a, total.b]

@@ -3,6 +3,7 @@
 use super::layer::LayerSupport;
 use super::state::CableState;
 use super::{Cable, CableGrips};
+use crate::Handedness;
 
 /// Which contact lets go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -71,7 +72,10 @@ impl CableState {
     /// ```
     #[must_use]
     pub fn lift_off(&self, ends_cannot_turn: bool) -> Option<LiftOff> {
-        self.least_pressing().filter(|(.., pressing)| *pressing > 0.0)?;
+        let (layer, lets_go, pressing) = self.least_pressing().filter(|(.., pressing)| *pressing >= 0.0)?;
+        if pressing == 0.0 {
+            return Some(LiftOff { layer, lets_go, state: self.clone() }); // right here
+        }
         let turned = |strain: f64, turning: f64| self.cable().loaded(CableGrips::Clamped { strain, turning }).ok();
         let at = |strain: f64| {
             let mut here = turned(strain, self.turning())?;
@@ -112,6 +116,68 @@ impl CableState {
             }
         }
         let state = at(below)?;
+        let (layer, lets_go, _) = state.least_pressing()?;
+        Some(LiftOff { layer, lets_go, state })
+    }
+
+    /// Where a layer first lifts off, or its rods part, as the ends are turned from here on, the force kept: right-handed for
+    /// [`Handedness::Right`]. `None` where none does before a layer is nearly unlaid or no state holds the force, and where one has done so
+    /// already.
+    ///
+    /// ```
+    /// use nply::mechanics::{Cable, CableGrips, Layer, Rod};
+    /// use nply::{Handedness, geometry::WireLay};
+    /// let six = Layer {
+    ///     strands: 6,
+    ///     rod: Rod::solid_round(2.5, 200e3, 0.3)?,
+    ///     handedness: Handedness::Right,
+    ///     lay: WireLay::Length(220.0),
+    ///     preforming: 1.0,
+    ///     pretwist: 0.0,
+    /// };
+    /// let strand = Cable::new(Some(Rod::solid_round(2.6, 200e3, 0.3)?), &[six])?;
+    /// let pulled = strand.loaded(CableGrips::Turned { force: 20e3, turning: 0.0 })?;
+    /// // unlaid, its wires come off the king wire; laid up further they press the more
+    /// let unlaid = pulled.lift_off_by_turning(Handedness::Left).expect("it opens");
+    /// assert!(unlaid.state.turning() < 0.0 && (unlaid.state.force() - 20e3).abs() < 1e-9);
+    /// assert!(unlaid.state.layers()[0].pressure_below.abs() < 1e-6);
+    /// assert!(pulled.lift_off_by_turning(Handedness::Right).is_none());
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn lift_off_by_turning(&self, sense: Handedness) -> Option<LiftOff> {
+        let (layer, lets_go, pressing) = self.least_pressing().filter(|(.., pressing)| *pressing >= 0.0)?;
+        if pressing == 0.0 {
+            return Some(LiftOff { layer, lets_go, state: self.clone() }); // right here
+        }
+        let force = self.force();
+        let at = |turning: f64| self.cable().loaded(CableGrips::Turned { force, turning }).ok();
+        let presses = |state: &CableState| state.least_pressing().is_some_and(|(.., pressing)| pressing > 0.0);
+        // turns that would lay the straightest layer straight, and as many more; the first step is small against what cables stand
+        let most = self.layers().iter().map(|layer| layer.angle.tan() / layer.radius).fold(f64::INFINITY, f64::min);
+        let (mut pressed, mut step) = (self.turning(), 1e-4 * most);
+        let mut lifted = loop {
+            let turning = pressed + sense.sign() * step;
+            if (turning - self.turning()).abs() > most {
+                return None;
+            }
+            if !presses(&at(turning)?) {
+                break turning;
+            }
+            (pressed, step) = (turning, 1.5 * step);
+        };
+        for _ in 0..100 {
+            let middle = 0.5 * (pressed + lifted);
+            if middle == pressed || middle == lifted {
+                break;
+            }
+            if presses(&at(middle)?) {
+                pressed = middle;
+            } else {
+                lifted = middle;
+            }
+        }
+        let state = at(lifted)?;
         let (layer, lets_go, _) = state.least_pressing()?;
         Some(LiftOff { layer, lets_go, state })
     }

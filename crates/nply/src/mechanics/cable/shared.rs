@@ -43,7 +43,7 @@ impl Cable {
         let singles = layers.iter().map(|&layer| vec![layer]);
         let pairs = layers.iter().flat_map(|&a| layers.iter().filter(move |&&b| a < b).map(move |&b| vec![a, b]));
         let found = singles.chain(pairs).find_map(|which| match self.on_kink(grips, [*strain, *turning], which)? {
-            Kink::Shared(state) => Some(*state),
+            Kink::Shared(state) => Some(state.under(grips)),
             Kink::Beside(place) => self.sought(grips, place).ok(),
         });
         found.ok_or(why)

@@ -221,7 +221,7 @@ impl Cable {
             here = next;
             last = size;
             if done {
-                return Ok(here);
+                return Ok(here.under(grips));
             }
         }
         let lately = |(i, last): (usize, &Option<usize>)| last.is_some_and(|step| step + 8 > MOST).then_some(i);
@@ -355,6 +355,19 @@ impl CableState {
     #[must_use]
     pub const fn cable(&self) -> &Cable {
         &self.cable
+    }
+
+    /// The loads that were given, in place of what Newton's iteration leaves of their digits.
+    pub(super) const fn under(mut self, grips: CableGrips) -> Self {
+        match grips {
+            CableGrips::Loads { force, moment } => {
+                self.energy.a = force;
+                self.energy.b = moment;
+            }
+            CableGrips::Turned { force, .. } => self.energy.a = force,
+            CableGrips::Clamped { .. } => {}
+        }
+        self
     }
 
     /// Strain of the axis, from the lay as made.

@@ -60,7 +60,10 @@ impl Ply {
         core_radius: f64,
     ) -> Result<Vec<SupportedState>, DomainError> {
         let weights = |love, held| Pair { even: [1.0, love, 0.0, force], odd: [0.0, 0.0, held, 0.0] };
-        self.lift_offs(twist, Load { force, moment: 0.0 }, core_radius, AtForce, weights)
+        self.lift_offs(twist, Load { force, moment: 0.0 }, core_radius, AtForce, weights, |found| Load {
+            force,
+            ..found
+        })
     }
 
     /// As [`lift_off_at_force`](Self::lift_off_at_force), under a given moment; the force is found.
@@ -82,7 +85,10 @@ impl Ply {
         core_radius: f64,
     ) -> Result<Vec<SupportedState>, DomainError> {
         let weights = |love, held| Pair { even: [1.0, love, 0.0, 0.0], odd: [0.0, 0.0, held, moment] };
-        self.lift_offs(twist, Load { force: 0.0, moment }, core_radius, AtMoment, weights)
+        self.lift_offs(twist, Load { force: 0.0, moment }, core_radius, AtMoment, weights, |found| Load {
+            moment,
+            ..found
+        })
     }
 
     fn lift_offs<C: Condition<4>>(
@@ -92,6 +98,7 @@ impl Ply {
         core_radius: f64,
         condition: impl Fn(f64) -> C,
         weights: impl Fn(f64, f64) -> Pair<4>,
+        loads: impl Fn(Load) -> Load,
     ) -> Result<Vec<SupportedState>, DomainError> {
         self.check(twist, given)?;
         self.check_unpressed()?;
@@ -99,14 +106,21 @@ impl Ply {
         let (love, held) = twist.weights(self.stiffness_ratio());
         let mut states = Vec::new();
         Atlas::new(self.strands(), condition(rho)).solve(weights(love, held), |handedness, at| {
-            states.extend(self.lifted(handedness, at, rho, twist));
+            states.extend(self.lifted(handedness, at, rho, twist, &loads));
         });
         states.sort_by(SupportedState::in_order);
         Ok(states)
     }
 
-    /// The state on the core at an angle with p_c = 0, if neighbours leave room for it.
-    fn lifted(&self, handedness: Handedness, at: Solution, rho: f64, twist: Twist) -> Option<SupportedState> {
+    /// The state on the core at an angle with p_c = 0, if neighbours leave room for it. `loads` puts the load that was given in its place.
+    fn lifted(
+        &self,
+        handedness: Handedness,
+        at: Solution,
+        rho: f64,
+        twist: Twist,
+        loads: impl Fn(Load) -> Load,
+    ) -> Option<SupportedState> {
         let (n, eps) = (f64::from(self.strands()), handedness.sign());
         let (s, c) = (at.angle.sin(), at.angle.cos());
         let (love, held) = twist.weights(self.stiffness_ratio());
@@ -114,7 +128,7 @@ impl Ply {
         let load = Load { force: n * s * (eps * u3 - s * c / rho) / rho, moment: n * (eps * s * s * s / rho + u3 * c) };
         let place =
             Place { strands: self.strands(), handedness, angle: at.angle, radius_ratio: rho, on_core: Some(rho) };
-        let state = SupportedState::new(Support::Core, place, self.stiffness_ratio(), twist, load);
+        let state = SupportedState::new(Support::Core, place, self.stiffness_ratio(), twist, loads(load));
         (state.touching.radius_ratio() < rho).then_some(state)
     }
 }

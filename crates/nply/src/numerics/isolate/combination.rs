@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use super::{Basis, Pair, Root, Side};
 use crate::numerics::dual::Dual;
+use crate::numerics::gauss::RULE;
 use crate::numerics::root;
 
 /// Halvings in one search, far more than two roots near each other need.
@@ -62,6 +63,23 @@ impl<'a, B: Basis<K>, const K: usize> Combination<'a, B, K> {
     pub(super) fn refine(&self, low: f64, high: f64, positive_low: bool, start: f64) -> Root {
         let (at, slope) = root::bracketed(|t| self.at(t), low, high, positive_low, start);
         Root { at, slope, double: false }
+    }
+
+    /// As [`refine`](Self::refine), of a combination that vanishes at coordinate 0 too. Up to `low` what cancels there may hide it; where the
+    /// root is nearer than that, the combination is the integral of its slope, in which nothing of that size cancels.
+    #[cold]
+    pub(super) fn refine_past_zero(&self, low: f64, high: f64, positive: bool) -> Root {
+        let risen = |t: f64| {
+            let half = 0.5 * t;
+            let both = |x: f64| self.at(half * (1.0 + x)).slope + self.at(half * (1.0 - x)).slope;
+            let sum: f64 = RULE.iter().map(|&(x, weight)| weight * both(x)).sum();
+            Dual::new(half * sum, self.at(t).slope)
+        };
+        if low > 0.0 && (risen(low).value >= 0.0) != positive {
+            let (at, slope) = root::bracketed(risen, 0.0, low, positive, 0.5 * low);
+            return Root { at, slope, double: false };
+        }
+        self.refine(low, high, positive, 0.5 * high)
     }
 
     /// Where the slope vanishes, known to happen once between `low` and `high`.

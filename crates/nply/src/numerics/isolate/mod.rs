@@ -44,6 +44,9 @@ pub(crate) struct Root {
 /// higher order are a millionth of a millionth of those that cancel, and rounding is not far below.
 const NEAREST: f64 = 1e-6;
 
+/// Where all functions vanish to a higher order than the first at 0, their sign is asked for here: nearer still their products underflow.
+const FIRST: f64 = 1e-60;
+
 /// Halvings after which a panel is narrower than rounding can tell apart.
 const DEEPEST: u32 = 44;
 
@@ -145,7 +148,7 @@ impl<const K: usize> Panel<K> {
                 match self.sign_past_zero(here, slope, slope_lost) {
                     Some(from) => {
                         // nearer to 0 than this what is left of the terms that cancel there hides the first order
-                        let hidden = if slope == 0.0 { 0.0 } else { self.rounding_at_start(here) / slope.abs() };
+                        let hidden = if slope == 0.0 { FIRST } else { self.rounding_at_start(here) / slope.abs() };
                         let low = hidden.min(0.5 * self.end);
                         self.search_past_zero(here, b, tolerance, (from, low), found, depth);
                     }
@@ -226,7 +229,7 @@ impl<const K: usize> Panel<K> {
             return (!slope_lost).then_some(slope > 0.0);
         }
         // all functions vanish to a higher order: so close to 0 nothing but the lowest counts
-        let values = here.basis.at(1e-60).map(|function| function.value);
+        let values = here.basis.at(FIRST).map(|function| function.value);
         let (value, size) = here.sum_and_size(&values);
         (!slope_lost && value.abs() > 8.0 * f64::EPSILON * size).then_some(value > 0.0)
     }
@@ -264,19 +267,20 @@ impl<const K: usize> Panel<K> {
         let to = b[ORDER - 1] >= 0.0;
         if self.is_lost(here, b) {
             if depth < DEEPEST && from != to {
-                found(here.refine(low, self.end, from, 0.5 * self.end));
+                found(here.refine_past_zero(low, self.end, from));
             }
             return;
         }
         // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1), of which the first keeps no digits but has a sure sign
         let mut quotient: [f64; ORDER - 1] = core::array::from_fn(|i| b[i + 1] * ((ORDER - 1) as f64 / (i + 1) as f64));
         quotient[0] = if from { 1.0 } else { -1.0 };
-        match bernstein::sign_changes(&quotient, (ORDER - 1) as f64 * tolerance) {
+        // what a polynomial of degree k within the tolerance is over t is at most 2k² times it (Markov)
+        match bernstein::sign_changes(&quotient, (2 * (ORDER - 1) * (ORDER - 1)) as f64 * tolerance) {
             0 => {}
-            1 => found(here.refine(low, self.end, from, 0.5 * self.end)),
+            1 => found(here.refine_past_zero(low, self.end, from)),
             _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
             _ if from == to => {}
-            _ => found(here.refine(low, self.end, from, 0.5 * self.end)),
+            _ => found(here.refine_past_zero(low, self.end, from)),
         }
     }
 

@@ -1,0 +1,233 @@
+//! The table of units and prefixes, and their sizes as exact factors.
+
+use super::Dimension;
+use super::double::Double;
+
+/// numerator/denominator·10^ten·(2π)^turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Factor {
+    pub(super) numerator: f64,
+    pub(super) denominator: f64,
+    pub(super) ten: i32,
+    pub(super) turns: i16,
+}
+
+impl Factor {
+    pub(super) const ONE: Self = Self { numerator: 1.0, denominator: 1.0, ten: 0, turns: 0 };
+
+    /// Times `other` to the power.
+    pub(super) fn times(self, other: Self, power: i16) -> Self {
+        let mut product = self;
+        for _ in 0..power.unsigned_abs() {
+            if power > 0 {
+                product.numerator *= other.numerator;
+                product.denominator *= other.denominator;
+                product.ten += other.ten;
+                product.turns += other.turns;
+            } else {
+                product.numerator *= other.denominator;
+                product.denominator *= other.numerator;
+                product.ten -= other.ten;
+                product.turns -= other.turns;
+            }
+        }
+        product
+    }
+
+    /// The size, and the power of ten that is still to be multiplied: 0 unless it passes what a double holds exactly.
+    pub(super) fn size(self) -> (Double, i32) {
+        const MOST_TENS: i32 = 22;
+        let (folded, rest) = if self.ten.abs() <= MOST_TENS { (self.ten, 0) } else { (0, self.ten) };
+        let mut over = Double::exactly(self.numerator);
+        let mut under = Double::exactly(self.denominator);
+        let tens = Double::exactly(times_ten_to(1.0, folded.abs()));
+        if folded > 0 {
+            over = over.times(tens);
+        } else {
+            under = under.times(tens);
+        }
+        for _ in 0..self.turns.unsigned_abs() {
+            if self.turns > 0 {
+                over = over.times(Double::TAU);
+            } else {
+                under = under.times(Double::TAU);
+            }
+        }
+        (over.over(under), rest)
+    }
+}
+
+/// One unit of the table.
+struct Symbol {
+    names: &'static [&'static str],
+    factor: Factor,
+    dimension: Dimension,
+    prefixes: bool,
+    zero: f64,
+}
+
+const fn symbol(names: &'static [&'static str], numerator: f64, ten: i32, dimension: Dimension) -> Symbol {
+    Symbol {
+        names,
+        factor: Factor { numerator, denominator: 1.0, ten, turns: 0 },
+        dimension,
+        prefixes: false,
+        zero: 0.0,
+    }
+}
+
+impl Symbol {
+    const fn over(mut self, denominator: f64) -> Self {
+        self.factor.denominator = denominator;
+        self
+    }
+
+    const fn turned(mut self) -> Self {
+        self.factor.turns = 1;
+        self
+    }
+
+    const fn prefixed(mut self) -> Self {
+        self.prefixes = true;
+        self
+    }
+
+    const fn starting_at(mut self, zero: f64) -> Self {
+        self.zero = zero;
+        self
+    }
+}
+
+const LBF: f64 = 44_482_216_152_605.0; // ·10⁻¹³ N, exact by definition
+const KGF: f64 = 980_665.0; // ·10⁻⁵ N, exact by definition
+
+static SYMBOLS: [Symbol; 35] = [
+    symbol(&["m", "metre", "metres", "meter", "meters"], 1.0, 0, Dimension::LENGTH).prefixed(),
+    symbol(&["Å", "\u{212b}", "angstrom", "angstroms", "Angstrom"], 1.0, -10, Dimension::LENGTH),
+    symbol(&["micron", "microns"], 1.0, -6, Dimension::LENGTH),
+    symbol(&["in", "inch", "inches"], 254.0, -4, Dimension::LENGTH),
+    symbol(&["ft", "foot", "feet"], 3048.0, -4, Dimension::LENGTH),
+    symbol(&["yd", "yard", "yards"], 9144.0, -4, Dimension::LENGTH),
+    symbol(&["mil", "mils", "thou"], 254.0, -7, Dimension::LENGTH),
+    symbol(&["N", "newton", "newtons"], 1.0, 0, Dimension::FORCE).prefixed(),
+    symbol(&["dyn"], 1.0, -5, Dimension::FORCE).prefixed(),
+    symbol(&["lbf"], LBF, -13, Dimension::FORCE),
+    symbol(&["ozf"], LBF, -13, Dimension::FORCE).over(16.0),
+    symbol(&["kip", "kips"], LBF, -10, Dimension::FORCE),
+    symbol(&["kgf", "kp"], KGF, -5, Dimension::FORCE),
+    symbol(&["gf"], KGF, -8, Dimension::FORCE),
+    symbol(&["tf"], KGF, -2, Dimension::FORCE),
+    symbol(&["Pa"], 1.0, 0, Dimension::PRESSURE).prefixed(),
+    symbol(&["bar"], 1.0, 5, Dimension::PRESSURE).prefixed(),
+    symbol(&["psi"], LBF, -5, Dimension::PRESSURE).over(64_516.0),
+    symbol(&["ksi"], LBF, -2, Dimension::PRESSURE).over(64_516.0),
+    symbol(&["Msi"], LBF, 1, Dimension::PRESSURE).over(64_516.0),
+    symbol(&["J"], 1.0, 0, Dimension::MOMENT).prefixed(),
+    // Boltzmann's constant, exact by definition; the temperature is that of the strands
+    symbol(&["kT", "kBT"], 1_380_649.0, -29, Dimension { temperature: -1, ..Dimension::MOMENT }),
+    symbol(&["rad", "radian", "radians"], 1.0, 0, Dimension::ANGLE).prefixed(),
+    symbol(&["deg", "degs", "°", "degree", "degrees"], 1.0, 0, Dimension::ANGLE).over(360.0).turned(),
+    symbol(&["turn", "turns", "rev", "revs", "revolution", "revolutions"], 1.0, 0, Dimension::ANGLE).turned(),
+    symbol(&["tpm"], 1.0, 0, Dimension::ANGLE_PER_LENGTH).turned(),
+    symbol(&["tpi"], 1.0, 4, Dimension::ANGLE_PER_LENGTH).over(254.0).turned(),
+    symbol(&["K", "kelvin"], 1.0, 0, Dimension::TEMPERATURE).prefixed(),
+    symbol(&["degC", "°C", "\u{2103}"], 1.0, 0, Dimension::TEMPERATURE).starting_at(273.15),
+    symbol(&["degF", "°F", "\u{2109}"], 5.0, 0, Dimension::TEMPERATURE).over(9.0).starting_at(459.67),
+    symbol(&["s"], 1.0, 0, Dimension::TIME).prefixed(),
+    symbol(&["g"], 1.0, -3, Dimension::MASS).prefixed(),
+    symbol(&["lb", "lbs"], 45_359_237.0, -8, Dimension::MASS),
+    symbol(&["tex"], 1.0, -6, Dimension::LINEAR_DENSITY).prefixed(),
+    symbol(&["den", "denier"], 1.0, -6, Dimension::LINEAR_DENSITY).over(9.0),
+];
+
+const PREFIXES: [(&str, i32); 15] = [
+    ("a", -18),
+    ("f", -15),
+    ("p", -12),
+    ("n", -9),
+    ("µ", -6),       // U+00B5, the micro sign
+    ("\u{3bc}", -6), // the Greek letter
+    ("u", -6),
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("h", 2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+];
+
+/// Written often enough to be proposed in place of a slip.
+const COMMON: [&str; 14] = ["nm", "µm", "um", "mm", "cm", "km", "pN", "nN", "mN", "cN", "kN", "kPa", "MPa", "GPa"];
+
+/// A symbol of the table with its prefix's power of ten.
+pub(super) fn look_up(word: &str) -> Option<(Factor, Dimension, f64)> {
+    let named = |name: &str| SYMBOLS.iter().find(|symbol| symbol.names.contains(&name));
+    if let Some(symbol) = named(word) {
+        return Some((symbol.factor, symbol.dimension, symbol.zero));
+    }
+    PREFIXES.iter().find_map(|(prefix, ten)| {
+        // only the short symbol takes a prefix: `mm`, not `mmetre`
+        let rest = word.strip_prefix(prefix)?;
+        let symbol = SYMBOLS.iter().find(|symbol| symbol.prefixes && symbol.names.first() == Some(&rest))?;
+        let factor = Factor { ten: symbol.factor.ten + ten, ..symbol.factor };
+        Some((factor, symbol.dimension, symbol.zero))
+    })
+}
+
+/// `Nm`, `kNmm`, `pNnm`: a force and a length written in one word.
+pub(super) fn look_up_joined(word: &str) -> Option<[(Factor, Dimension); 2]> {
+    let at = word.find('N')? + 1;
+    let (force, length) = word.split_at(at);
+    let (force, force_dimension, _) = look_up(force)?;
+    let (length, length_dimension, _) = look_up(length)?;
+    (force_dimension == Dimension::FORCE && length_dimension == Dimension::LENGTH)
+        .then_some([(force, force_dimension), (length, length_dimension)])
+}
+
+/// The unit most likely meant by `word`.
+pub(super) fn nearest(word: &str) -> Option<&'static str> {
+    let known = || COMMON.iter().copied().chain(SYMBOLS.iter().flat_map(|symbol| symbol.names.iter().copied()));
+    let lower = word.to_lowercase();
+    known().find(|name| name.to_lowercase() == lower).or_else(|| {
+        if word.chars().count() < 2 {
+            return None;
+        }
+        known().filter(|name| name.chars().count() > 1).find(|name| strsim::osa_distance(name, word) == 1)
+    })
+}
+
+/// The powers of ten that are doubles.
+const EXACT: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// value·10^ten, by one rounding where |ten| ≤ 22 (such powers of ten are doubles).
+pub(super) fn times_ten_to(value: f64, ten: i32) -> f64 {
+    // half of it at a time, so that the power itself never overflows
+    let step = |value: f64, ten: i32| {
+        let small = EXACT.get(ten.unsigned_abs() as usize).copied();
+        let power: f64 = small.unwrap_or_else(|| format!("1e{}", ten.abs()).parse().unwrap_or(f64::INFINITY));
+        if ten < 0 { value / power } else { value * power }
+    };
+    if ten.abs() <= 300 { step(value, ten) } else { step(step(value, ten / 2), ten - ten / 2) }
+}
+
+/// Every symbol, for the tests: each name, with every prefix it takes.
+#[cfg(test)]
+pub(super) fn every_unit() -> Vec<String> {
+    let mut all = Vec::new();
+    for symbol in &SYMBOLS {
+        for name in symbol.names {
+            all.push((*name).to_owned());
+        }
+        if symbol.prefixes {
+            for (prefix, _) in PREFIXES {
+                all.push(format!("{prefix}{}", symbol.names[0]));
+            }
+        }
+    }
+    all
+}
