@@ -1,4 +1,5 @@
-//! What a program of ours says, taken in as Markdown: `rust crates/NAME/examples/NAME.rs`, or a folder's `main.rs`, words after it handed over.
+//! What a program of ours says, taken in as Markdown: `rust crates/NAME/examples/NAME.rs`, or a folder's `main.rs`, words after it handed over;
+//! `python PATH` for one that needs Python's own library alone.
 
 use std::process::Command;
 
@@ -8,15 +9,23 @@ use crate::site::Site;
 /// The program's standard output. It is built as tests are, so that nothing is compiled for it a second time, and finds the site's command in `NPLY`.
 pub(crate) fn expand(wish: &str, site: &Site, runner: &Runner) -> Result<String, String> {
     let mut words = wish.split_whitespace();
-    if words.next() != Some("rust") {
-        return Err("wanted is rust and the path of an example".to_owned());
-    }
-    let path = words.next().unwrap_or_default();
-    let (package, example) =
-        example(path).ok_or("wanted is crates/NAME/examples/NAME.rs or crates/NAME/examples/NAME/main.rs")?;
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["run", "--quiet", "--package", package, "--example", example, "--"]).args(words);
-    let said = runner.hear(cargo.env("NPLY", &site.command))?;
+    let (language, path) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+    let mut program = match language {
+        "rust" => {
+            let (package, example) =
+                example(path).ok_or("wanted is crates/NAME/examples/NAME.rs or crates/NAME/examples/NAME/main.rs")?;
+            let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+            cargo.args(["run", "--quiet", "--package", package, "--example", example, "--"]);
+            cargo
+        }
+        "python" => {
+            let mut python = Command::new(if cfg!(windows) { "python" } else { "python3" });
+            python.arg(path);
+            python
+        }
+        _ => return Err("wanted is rust or python, and the path of a program".to_owned()),
+    };
+    let said = runner.hear(program.args(words).env("NPLY", &site.command))?;
     if said.code != Some(0) {
         return Err(format!("it ended with {:?}\n{}", said.code, said.error.trim_end()));
     }

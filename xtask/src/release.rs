@@ -170,8 +170,8 @@ fn python(kit: &Path) -> Outcome {
     };
     step("wheel", maturin("build").args(["--quiet", "--locked", "--profile", "wheel"]))?;
     step("source package", &mut maturin("sdist"))?;
-    let source = fs::read_dir(&out).into_iter().flatten().flatten().map(|entry| entry.path());
-    let source = source.filter(|path| path.extension().is_some_and(|ending| ending == "gz")).next();
+    let mut made = fs::read_dir(&out).into_iter().flatten().flatten().map(|entry| entry.path());
+    let source = made.find(|path| path.extension().is_some_and(|ending| ending == "gz"));
     let source = source.ok_or("there is no source package")?;
     let fresh = root().join("target/release-kit-python");
     let _ = fs::remove_dir_all(&fresh);

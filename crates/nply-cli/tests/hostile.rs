@@ -1,4 +1,5 @@
 //! What a hostile user gives: names, files and numbers. The answer is an exit status of the contract and one sentence, and no file is lost.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
 mod command;
 

@@ -41,6 +41,8 @@ fn many_wires_fill_their_circle() {
 fn five_wires_fit_on_one() {
     let page = wires::page().unwrap();
     assert!(page.lines().any(|line| line.starts_with("| 1 | 10.0° | 6 | 5 | 5 | 1, 0 |")), "{page}");
+    // the chapter says that ellipses never promise a wire too many, or too few
+    assert!(page.lines().skip(2).all(|line| line.ends_with(", 0 |")), "{page}");
 }
 
 #[test]

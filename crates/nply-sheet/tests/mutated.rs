@@ -1,5 +1,6 @@
 //! Seeds of the fuzz targets, changed at random places from a seed: every reader gives an answer of numbers, or one sentence, and never a panic.
 //! NPLY_ROUNDS=100000 goes on for longer, NPLY_SEED begins elsewhere.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
 use std::fs;
 use std::io::Cursor;

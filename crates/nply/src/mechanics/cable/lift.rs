@@ -168,8 +168,8 @@ impl CableState {
         };
         for _ in 0..100 {
             let middle = 0.5 * (pressed + lifted);
-            if middle == pressed || middle == lifted {
-                break;
+            if (middle - pressed).abs().min((lifted - middle).abs()) <= 0.0 {
+                break; // the two are neighbouring numbers
             }
             if presses(&at(middle)?) {
                 pressed = middle;
