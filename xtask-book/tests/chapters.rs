@@ -67,6 +67,14 @@ fn the_summary_lists_what_is_there_or_awaited() {
     let summary = Summary::read(&root().join("book/src")).unwrap();
     let missing: Vec<&String> = summary.missing.iter().filter(|path| !AWAITED.contains(&path.as_str())).collect();
     assert!(missing.is_empty(), "listed and not there: {missing:?}");
+    let twice: Vec<&String> = summary
+        .chapters
+        .iter()
+        .enumerate()
+        .filter(|(at, path)| summary.chapters[..*at].contains(path))
+        .map(|(_, path)| path)
+        .collect();
+    assert!(twice.is_empty(), "listed twice: {twice:?}");
 }
 
 #[test]
