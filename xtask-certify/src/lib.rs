@@ -5,6 +5,8 @@
 //! *monotone* when the slope's does not; anything else is halved, until rounding hides what it is. A monotone piece with sure signs at its ends holds
 //! one root or none. What is left is *open*, and counted by its reason. Nothing of the library's own method takes part.
 
+#![allow(clippy::collapsible_if)] // one question, then what its answer asks
+
 pub mod case;
 pub mod dice;
 pub mod interval;
