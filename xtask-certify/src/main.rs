@@ -39,7 +39,7 @@ fn main() -> ExitCode {
     for open in &run.report.left_open {
         println!("open  {open}");
     }
-    for complaint in &run.report.complaints {
+    for complaint in run.report.made_up.iter().chain(&run.report.complaints) {
         println!("WRONG {complaint}");
     }
     println!("seed                 {seed}\n{}", run.report);

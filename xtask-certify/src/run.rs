@@ -42,6 +42,8 @@ pub struct Report {
     pub refused: u64,
     /// what went wrong, the first of it in full
     pub complaints: Vec<String>,
+    /// the first plies of which a state is told that is none, in full
+    pub made_up: Vec<String>,
     /// the first stretches that stayed open
     pub left_open: Vec<String>,
     scanning: Duration,
@@ -156,7 +158,9 @@ impl Run {
         {
             let verdict = scan.verdict(case, &known, states, allowed);
             if !verdict.holds() {
-                tell(&mut report.complaints, || {
+                // states that are none are told before those that are missed
+                let list_of = if verdict.extra > 0 { &mut report.made_up } else { &mut report.complaints };
+                tell(list_of, || {
                     format!("{name}: {verdict:?}\n  {case:?}\n  {}\n  {known:?}", list(states))
                 });
             }
