@@ -160,9 +160,7 @@ impl Run {
             if !verdict.holds() {
                 // states that are none are told before those that are missed
                 let list_of = if verdict.extra > 0 { &mut report.made_up } else { &mut report.complaints };
-                tell(list_of, || {
-                    format!("{name}: {verdict:?}\n  {case:?}\n  {}\n  {known:?}", list(states))
-                });
+                tell(list_of, || format!("{name}: {verdict:?}\n  {case:?}\n  {}\n  {known:?}", list(states)));
             }
             sum.add(verdict);
         }
