@@ -80,7 +80,6 @@ fn sum(coefficients: &[Interval; KEPT + 1], y: f64) -> Interval {
 #[cfg(test)]
 #[allow(clippy::disallowed_methods)] // an independent route
 mod tests {
-    #![allow(clippy::disallowed_methods, reason = "the platform's own functions are an independent route")]
     use super::*;
 
     #[test]
