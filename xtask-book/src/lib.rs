@@ -7,6 +7,7 @@ mod book;
 mod command;
 mod console;
 mod equation;
+mod example;
 mod failure;
 mod fence;
 mod figure;

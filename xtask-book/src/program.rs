@@ -4,6 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use crate::command::Runner;
+use crate::example;
 use crate::fence::fenced;
 use crate::site::Site;
 
@@ -19,15 +20,7 @@ pub(crate) fn expand(wish: &str, site: &Site, runner: &Runner) -> Result<String,
             (None, false) => runner.hear(Command::new("python3").arg(path))?,
             (None, true) => return Ok(shown(language, path, &source, "")),
         },
-        "rust" => {
-            let (package, example) = example(path).ok_or("wanted is crates/NAME/examples/NAME.rs")?;
-            let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-            cargo.args(["run", "--quiet", "--package", package, "--example", example]);
-            if site.is_release() {
-                cargo.arg("--release");
-            }
-            runner.hear(&mut cargo)?
-        }
+        "rust" => runner.hear(&mut Command::new(example::built(path, runner)?))?,
         other => return Err(format!("`{other}` is neither python nor rust")),
     };
     if said.code != Some(0) {
@@ -45,21 +38,4 @@ fn shown(language: &str, path: &str, source: &str, output: &str) -> String {
     }
     page.push_str("</div>\n\n");
     page
-}
-
-/// Package and name of an example by its path.
-fn example(path: &str) -> Option<(&str, &str)> {
-    let (package, file) = path.strip_prefix("crates/")?.split_once("/examples/")?;
-    Some((package, file.strip_suffix(".rs")?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_example_is_named_by_its_path() {
-        assert_eq!(example("crates/nply/examples/yarn.rs"), Some(("nply", "yarn")));
-        assert_eq!(example("crates/nply/src/lib.rs"), None);
-    }
 }

@@ -30,9 +30,4 @@ impl Site {
     pub fn source(&self) -> PathBuf {
         self.root.join("book/src")
     }
-
-    /// Whether what is built beside the command is built as a release too.
-    pub(crate) fn is_release(&self) -> bool {
-        self.command.components().any(|part| part.as_os_str() == "release")
-    }
 }

@@ -4,22 +4,23 @@ use std::fs;
 use std::path::Path;
 
 use crate::npm::{lacks_node, packages};
-use crate::step::{Outcome, cargo, root, run as step};
+use crate::step::{Outcome, built, cargo, root, run as step};
 use crate::{python, venv};
 
-/// Builds the book, or says what this machine lacks for it.
-pub(crate) fn run() -> Outcome {
+/// Builds the book, or says what this machine lacks for it. `examples` is where its programs in Rust stand built, where they do.
+pub(crate) fn run(examples: Option<&Path>) -> Outcome {
     if let Some(lacks) = lacks_node() {
         return Err(lacks);
     }
     let book = root().join("book");
     packages(&book).or_else(|_| packages(&book))?;
     step("release build", &mut cargo(["build", "--release"]))?;
-    let built =
-        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder));
-    let command = built.join("release").join(format!("nply{}", std::env::consts::EXE_SUFFIX));
+    let command = built().join("release").join(format!("nply{}", std::env::consts::EXE_SUFFIX));
     let mut bind = cargo(["run", "--quiet", "--package=xtask-book", "--"]);
     bind.arg(command);
+    if let Some(examples) = examples {
+        bind.env("NPLY_EXAMPLES", examples);
+    }
     if has_python_programs(&book.join("src")) {
         if !venv::is_there() {
             return Err("python3 is missing, and the book has programs in Python".to_owned());

@@ -49,7 +49,7 @@ fn main() -> ExitCode {
         ["hostile"] => hostile::run(),
         ["certify", ref arguments @ ..] => certify::run(arguments),
         ["web"] => web::build(),
-        ["book"] => book::run(),
+        ["book"] => book::run(None),
         ["bench"] => bench::run(),
         ["race"] => race::run("5"),
         ["race", rounds] => race::run(rounds),

@@ -2,7 +2,7 @@
 
 use crate::book;
 use crate::python;
-use crate::step::{Outcome, answers, cargo, run as step, run_and_hear};
+use crate::step::{Outcome, answers, built, cargo, run as step, run_and_hear};
 use crate::web;
 
 /// The main job, as the README opens with it.
@@ -14,7 +14,9 @@ pub(crate) fn run() -> Outcome {
     step("lints", &mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
     // first the page, so that what is tested has it in it
     let page_stands = web::build_for_tests()?;
-    step("tests", &mut cargo(["test", "--workspace"]))?;
+    // the book's programs are the examples that these tests build
+    let examples = built().join("debug/examples");
+    step("tests", cargo(["test", "--workspace"]).env("NPLY_EXAMPLES", &examples))?;
     step("documentation", cargo(["doc", "--workspace", "--lib", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))?;
     if page_stands {
         web::test()?;
@@ -24,7 +26,7 @@ pub(crate) fn run() -> Outcome {
     python::run("dev")?;
     // last, so that its programs in Python find the package; what was slow in the tests' own book is kept for it
     if page_stands {
-        book::run()?;
+        book::run(Some(&examples))?;
     }
     println!("\nxtask: every step passed");
     Ok(())
