@@ -3,12 +3,12 @@
 
 use std::fs::{self, File};
 use std::io::{BufWriter, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::step::{Outcome, cargo, root, run as step};
+use crate::step::{Outcome, command};
 
 /// What is called, what it must end with, and in how much memory (MiB).
 struct Case {
@@ -80,13 +80,7 @@ const CASES: [Case; 14] = [
 ];
 
 pub(crate) fn run() -> Outcome {
-    let nply = match std::env::var_os("NPLY") {
-        Some(built) => PathBuf::from(built),
-        None => {
-            step("build", &mut cargo(["build", "--release", "--package", "nply-cli"]))?;
-            root().join("target/release/nply")
-        }
-    };
+    let nply = command()?;
     let folder = std::env::temp_dir().join(format!("nply-hostile-{}", std::process::id()));
     fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
     let outcome = CASES.iter().try_for_each(|case| one(&nply, &folder, case));

@@ -4,12 +4,12 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::step::{Outcome, cargo, root, run as step};
+use crate::step::{Outcome, command};
 
 /// One kind of study: its name, what it is called with, the ending of its file, and whether it can be gone on with.
 struct Kind {
@@ -125,13 +125,7 @@ struct Tally {
 pub(crate) fn run(times: &str, seed: &str) -> Outcome {
     let times: u64 = times.parse().map_err(|_| format!("\"{times}\" is no number of times"))?;
     let seed: u64 = seed.parse().map_err(|_| format!("\"{seed}\" is no seed"))?;
-    let nply = match std::env::var_os("NPLY") {
-        Some(built) => PathBuf::from(built),
-        None => {
-            step("build", &mut cargo(["build", "--release", "--package", "nply-cli"]))?;
-            root().join("target/release/nply")
-        }
-    };
+    let nply = command()?;
     let folder = std::env::temp_dir().join(format!("nply-kill-{}", std::process::id()));
     fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
     let begin = Instant::now();

@@ -18,6 +18,15 @@ pub(crate) fn built() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder))
 }
 
+/// The command as a release: the one that `NPLY` names, or built for this.
+pub(crate) fn command() -> Result<PathBuf, String> {
+    if let Some(named) = std::env::var_os("NPLY") {
+        return Ok(PathBuf::from(named));
+    }
+    run("release build", &mut cargo(["build", "--release", "--package", "nply-cli"]))?;
+    Ok(built().join("release").join(format!("nply{}", std::env::consts::EXE_SUFFIX)))
+}
+
 /// The cargo that started this program, called in the root.
 pub(crate) fn cargo<const N: usize>(arguments: [&str; N]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
