@@ -2,7 +2,6 @@
 
 use super::figure::{Figure, OF_CABLE, OF_MEMBER};
 use super::json::unit;
-use crate::report::csv::unit_suffix;
 use crate::report::listed::Sized;
 
 /// Every number of the cable as a whole.
@@ -16,26 +15,8 @@ pub(crate) fn of_member() -> Vec<Sized> {
 }
 
 fn sized<T>(figure: &Figure<T>) -> Vec<Sized> {
-    let label = match (figure.heading, figure.label) {
-        ("", label) => label.to_owned(),
-        (_, "") => String::new(),
-        (heading, label) => format!("{heading}: {label}"),
-    };
-    let plain = |unit| Sized {
-        name: figure.name.to_owned(),
-        label: label.clone(),
-        unit,
-        measured_only: false,
-        bare_only: false,
-    };
     match unit(figure.sort) {
-        None => vec![plain(Some(""))],
-        Some(unit) => {
-            let name = format!("{}_{}", figure.name, unit_suffix(unit));
-            vec![
-                Sized { bare_only: true, ..plain(None) },
-                Sized { name, unit: Some(unit), measured_only: true, ..plain(None) },
-            ]
-        }
+        None => vec![figure.listed(Some(""))],
+        Some(unit) => vec![Sized { bare_only: true, ..figure.listed(None) }, figure.listed_in_si(unit)],
     }
 }
