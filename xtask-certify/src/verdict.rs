@@ -112,7 +112,8 @@ impl Scan<'_> {
         let most = border + allowed.relative * t + rounding;
         // of a fold two roots are near each other: begin with little
         let parts = std::iter::successors(Some(LEAST), |part| Some(4.0 * part)).take_while(|part| *part <= 1.0);
-        for away in parts.map(|part| part * most) {
+        let aways = parts.map(|part| part * most);
+        for away in aways.clone() {
             let [before, after] = [t - away, t + away].map(|t| self.sign_beside(place, t, hand));
             if let (Some(before), Some(after)) = (before, after)
                 && before != after
@@ -120,7 +121,18 @@ impl Scan<'_> {
                 return Some((t - away, t + away));
             }
         }
-        None
+        // next to 45° of two strands the sign may be sure nearer on one side than on the other, and on the border at the last
+        let nearest = |side: f64| {
+            let border = match self.sheet(place) {
+                Sheet::Line if side > 0.0 => 1.0 - t,
+                Sheet::Fork if side < 0.0 => t,
+                _ => f64::INFINITY,
+            };
+            let here = aways.clone().filter(|away| *away < border).chain((border <= most).then_some(border));
+            here.map(|away| t + side * away).find_map(|t| Some((t, self.sign_beside(place, t, hand)?)))
+        };
+        let ((from, before), (to, after)) = (nearest(-1.0)?, nearest(1.0)?);
+        (before != after).then_some((from, to))
     }
 
     /// The sign at a coordinate that may lie beyond a border.

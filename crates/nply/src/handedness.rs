@@ -29,6 +29,11 @@ impl Handedness {
         }
     }
 
+    /// The hand of which ε has this sign; 0 is left-handed.
+    pub(crate) fn of_sign(sign: f64) -> Self {
+        if sign > 0.0 { Self::Right } else { Self::Left }
+    }
+
     /// The mirror image's hand.
     #[must_use]
     pub const fn opposite(self) -> Self {

@@ -272,6 +272,36 @@ impl Contact {
         }
     }
 
+    /// ρ₀² = 1/sin²(π/n) of straight strands, (7).
+    #[inline]
+    pub(crate) fn straight_radius_ratio_squared(strands: u32) -> f64 {
+        let sin = match strands {
+            2 => 1.0,
+            n => libm::sin(PI / f64::from(n)),
+        };
+        1.0 / (sin * sin)
+    }
+
+    /// (ρ² cos²θ/ρ₀² − 1)/sin²θ up to θ = π/12, where κ = 2π/n − E = tan²θ sin E is small:
+    ///
+    /// 1/ρ² = sin²(E/2) + (κ/4) sin E, so that 1/ρ₀² − 1/ρ² = sin(E + κ/2) sin(κ/2) − (κ/4) sin E, of which κ/2 is a factor.
+    pub(crate) fn spread(&self) -> Dual {
+        let Regular { sin: s, cos: c, radius, .. } = self.regular();
+        let (sine, cosine) = (self.sin_anomaly(), (self.half.cos - self.half.sin) * (self.half.cos + self.half.sin));
+        // dE/dθ = −2 tan θ sin E/(cos²θ + sin²θ cos E)
+        let along = -2.0 * self.angle.tan() * sine / (c.value * c.value + s.value * s.value * cosine);
+        let (sine, cosine) = (Dual::new(sine, cosine * along), Dual::new(cosine, -sine * along));
+        let secant = c.recip();
+        let half = 0.5 * (s * s * secant * secant * sine); // κ/2 < 0.04
+        let y = half * half;
+        let nested =
+            |d: [f64; 3]| d.iter().fold(Dual::new(1.0, 0.0), |sum, d| Dual::new(1.0, 0.0) - (1.0 / d) * (y * sum));
+        let (sinc, cos) = (nested([42.0, 20.0, 6.0]), nested([30.0, 12.0, 2.0]));
+        let mean = (sine * cos + cosine * half * sinc) * sinc; // sin between E and 2π/n
+        let ratio = radius * radius * secant * secant; // ρ²
+        0.5 * (ratio * sine * (mean - 0.5 * sine)) - Dual::new(1.0, 0.0)
+    }
+
     /// As [`regular`](Self::regular), with second derivatives. Those of two strands jump at π/4 and keep some six digits
     /// within 1e-6 above it.
     pub(crate) fn curved(&self) -> Curved {

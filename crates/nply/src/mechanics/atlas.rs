@@ -34,7 +34,7 @@ pub(crate) struct Atlas<C, const K: usize> {
 
 /// Borders of the panels, by helical angle when steep, by pitch angle when flat: each half keeps its digits near 0, and
 /// the branch of n = 2 is smooth on either side of π/4.
-const BORDERS: [f64; 4] = [0.0, FRAC_PI_4 / 3.0, FRAC_PI_4 * 2.0 / 3.0, FRAC_PI_4];
+pub(super) const BORDERS: [f64; 4] = [0.0, FRAC_PI_4 / 3.0, FRAC_PI_4 * 2.0 / 3.0, FRAC_PI_4];
 
 /// The functions by helical angle, or by pitch angle.
 struct Chart<C> {
@@ -72,15 +72,25 @@ impl<C: Condition<K>, const K: usize> Atlas<C, K> {
     /// Hands every solution in (0, π/2) for either hand to `found`, none missed and none twice (see
     /// [`crate::numerics::isolate`]); the weights' odd part carries ε.
     #[inline]
-    pub(crate) fn solve(&self, weights: Pair<K>, mut found: impl FnMut(Handedness, Solution)) {
-        let weights = weights.tamed();
-        for (panels, flat) in [(&self.steep, false), (&self.flat, true)] {
+    pub(crate) fn solve(&self, weights: Pair<K>, found: impl FnMut(Handedness, Solution)) {
+        self.solve_from(0, &weights.tamed(), found);
+    }
+
+    /// The pair's even and odd part where panel `at` of the steep half begins.
+    #[inline]
+    pub(super) fn at_start(&self, at: usize, weights: &Pair<K>) -> (f64, f64) {
+        self.steep[at].at_start(weights)
+    }
+
+    /// As [`solve`](Self::solve) for weights that are tamed, from the start of panel `first` of the steep half.
+    #[inline]
+    pub(super) fn solve_from(&self, first: usize, weights: &Pair<K>, mut found: impl FnMut(Handedness, Solution)) {
+        for (panels, flat) in [(&self.steep[first..], false), (&self.flat, true)] {
             let chart = Chart { strands: self.strands, condition: self.condition, flat };
             for panel in panels {
-                panel.roots(&chart, &weights, &mut |side, root| {
+                panel.roots(&chart, weights, &mut |side, root| {
                     if !flat || root.at >= HelicalAngle::FLATTEST {
-                        let handedness = if side > 0.0 { Handedness::Right } else { Handedness::Left };
-                        found(handedness, Solution { angle: chart.angle(root.at), double: root.double });
+                        found(Handedness::of_sign(side), Solution { angle: chart.angle(root.at), double: root.double });
                     }
                 });
             }

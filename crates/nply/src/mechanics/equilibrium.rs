@@ -179,8 +179,9 @@ impl Ply {
     /// known error. The signs of its Bernstein coefficients bound the number of roots; where they leave it open the
     /// derivative's signs or the exact height of the single extremum decide, or the panel is halved. A state where two
     /// roots meet within rounding is given once, as a [fold](Equilibrium::is_fold). States within 1e-150 rad of flat rings
-    /// (θ = π/2) are left out, within 1e-60 rad in radial balance without a force and a twist; of two states both within 1e-14 rad of flat rings
-    /// neither may be given.
+    /// (θ = π/2) are left out, within 1e-60 rad in radial balance without a force and a twist. Next to straight strands the terms that
+    /// cancel are taken together; a moment within rounding (four units in the last place) of nγφ̄a is the one that
+    /// [holds](Self::straight_holds) them.
     ///
     /// # Errors
     /// [`DomainError`] unless the twist, γ times the twist, and the loads are finite.

@@ -17,6 +17,7 @@ mod line_contact;
 mod load;
 mod locus;
 mod margin;
+mod near_straight;
 mod path;
 mod ply;
 mod plying;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use super::Balance;
-use super::atlas::Atlas;
+use super::near_straight::ChartedBalance;
 use crate::DomainError;
 use crate::geometry::check_strands;
 
@@ -27,7 +27,7 @@ pub struct Ply {
     stiffness_ratio: f64,
     balance: Balance,
     external_pressure: f64,
-    atlas: Cow<'static, Atlas<Balance, 5>>,
+    atlas: Cow<'static, ChartedBalance>,
 }
 
 impl Ply {
@@ -131,20 +131,20 @@ impl Ply {
         self.external_pressure
     }
 
-    pub(crate) fn atlas(&self) -> &Atlas<Balance, 5> {
+    pub(crate) fn atlas(&self) -> &ChartedBalance {
         &self.atlas
     }
 }
 
 /// The charted branch, kept for the numbers of strands that people use.
-fn chart(strands: u32, balance: Balance) -> Cow<'static, Atlas<Balance, 5>> {
+fn chart(strands: u32, balance: Balance) -> Cow<'static, ChartedBalance> {
     const KEPT: usize = 11; // n = 2 … 12
-    static CONTACT: [OnceLock<Atlas<Balance, 5>>; KEPT] = [const { OnceLock::new() }; KEPT];
-    static RADIAL: [OnceLock<Atlas<Balance, 5>>; KEPT] = [const { OnceLock::new() }; KEPT];
+    static CONTACT: [OnceLock<ChartedBalance>; KEPT] = [const { OnceLock::new() }; KEPT];
+    static RADIAL: [OnceLock<ChartedBalance>; KEPT] = [const { OnceLock::new() }; KEPT];
     let kept = match balance {
         Balance::Contact => &CONTACT,
         Balance::Radial => &RADIAL,
     };
-    let new = || Atlas::new(strands, balance);
+    let new = || ChartedBalance::new(strands, balance);
     kept.get(strands as usize - 2).map_or_else(|| Cow::Owned(new()), |once| Cow::Borrowed(once.get_or_init(new)))
 }

@@ -124,6 +124,24 @@ fn horner(a: &Bernstein, x: f64) -> [f64; 3] {
     [p, dp, half_d2p]
 }
 
+/// Σ bᵢ Bᵢ over tᵖ, of a polynomial that vanishes so at 0: the first 12 − p coefficients, of a degree less by p.
+pub(crate) fn over_power(b: &Bernstein, power: usize) -> Bernstein {
+    let degree = ORDER - 1 - power;
+    let mut quotient = [0.0; ORDER];
+    let mut binomial = 1.0; // of `degree` over i
+    for i in 0..=degree {
+        quotient[i] = b[i + power] * (BINOMIAL[i + power] / binomial);
+        binomial *= (degree - i) as f64 / (i + 1) as f64;
+    }
+    quotient
+}
+
+/// How many times what a polynomial of degree 11 may be on [0, 1] it may be over tᵖ, if it vanishes so at 0: the greatest p-th derivative over p! (V. A. Markov).
+pub(crate) fn growth(power: usize) -> f64 {
+    let square = ((ORDER - 1) * (ORDER - 1)) as f64;
+    (0..power).map(|j| 2.0 * (square - (j * j) as f64) / ((2 * j + 1) * (j + 1)) as f64).product()
+}
+
 /// Whether all coefficients are beyond `tolerance` on one side of zero.
 #[inline]
 pub(crate) fn one_sign<const N: usize>(b: &[f64; N], tolerance: f64) -> bool {
@@ -178,6 +196,20 @@ mod tests {
             let got = polish(&b, root + if root < 0.5 { 0.003 } else { -0.003 }); // as far as the control polygon is
             assert!((got - root).abs() < 1e-9, "{got} for {root}");
         }
+    }
+
+    #[test]
+    fn a_power_is_divided_out() {
+        for power in 1..=3 {
+            let f = |t: f64| 1.0 - 3.0 * t + t * t * t * t;
+            let product = fit(&NODES.map(|t| [t, t, t][..power].iter().product::<f64>() * f(t)));
+            let quotient = over_power(&product, power);
+            // the control points at the ends are the values there
+            let last = ORDER - 1 - power;
+            assert!((quotient[0] - f(0.0)).abs() < 1e-12 && (quotient[last] - f(1.0)).abs() < 1e-12, "{quotient:?}");
+        }
+        // Chebyshev's polynomial of degree 11 is the one that grows most: its slope at an end is 2·11², its bend 4·121·120/3
+        assert!((growth(1) - 242.0).abs() < 1e-9 && (growth(2) - 0.5 * 4.0 * 121.0 * 40.0).abs() < 1e-9);
     }
 
     #[test]

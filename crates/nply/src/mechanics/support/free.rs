@@ -48,7 +48,7 @@ pub(super) fn helices(ply: &Ply, twist: Twist, ends: Ends, mut found: impl FnMut
             if c > 0.0 && c < 1.0 {
                 let moment = eps * n * (y * (1.0 - c * c) + (h + love * c * y) * c);
                 found(FreeHelix {
-                    handedness: super::search::hand_of(rotation),
+                    handedness: Handedness::of_sign(rotation),
                     angle: HelicalAngle::of_cosine(c),
                     rotation: y,
                     load: Load { force, moment },

@@ -92,7 +92,7 @@ impl Ply {
         match ends {
             Ends::Loads(load) => self.equilibria(twist, load),
             Ends::Rotation { rotation, force } => {
-                let hand = hand_of(rotation);
+                let hand = Handedness::of_sign(rotation);
                 let contacts = Contact::from_rotation(self.strands(), rotation.abs())?;
                 contacts.iter().map(|contact| self.moment_at(contact.angle(), hand, twist, force)).collect()
             }
@@ -182,7 +182,7 @@ impl Search<'_> {
                 });
             }
             Ends::Rotation { rotation, .. } => {
-                let (hand, sin) = (hand_of(rotation), rotation.abs() * rho);
+                let (hand, sin) = (Handedness::of_sign(rotation), rotation.abs() * rho);
                 if sin < 1.0 {
                     let angle = HelicalAngle::of_sine(sin);
                     self.keep(Support::Core, hand, angle, rho, missing(ends, hand, angle), states);
@@ -215,9 +215,4 @@ impl Search<'_> {
             }
         });
     }
-}
-
-/// The hand of a rotation.
-pub(super) fn hand_of(rotation: f64) -> Handedness {
-    if rotation > 0.0 { Handedness::Right } else { Handedness::Left }
 }

@@ -15,14 +15,16 @@ pub(super) struct Combination<'a, B, const K: usize> {
     pub(super) basis: &'a B,
     pub(super) pair: &'a Pair<K>,
     pub(super) side: Side,
+    /// the coordinate from which another panel goes on, and what it takes this combination for there
+    pub(super) border: Option<(f64, f64)>,
     /// halvings left: where rounding alone is at work they would go on and on
     halvings: Cell<u32>,
 }
 
 impl<'a, B: Basis<K>, const K: usize> Combination<'a, B, K> {
     #[inline]
-    pub(super) fn new(basis: &'a B, pair: &'a Pair<K>, side: Side) -> Self {
-        Self { basis, pair, side, halvings: Cell::new(MOST_HALVINGS) }
+    pub(super) fn new(basis: &'a B, pair: &'a Pair<K>, side: Side, border: Option<(f64, f64)>) -> Self {
+        Self { basis, pair, side, border, halvings: Cell::new(MOST_HALVINGS) }
     }
 
     #[inline]
@@ -40,6 +42,11 @@ impl<'a, B: Basis<K>, const K: usize> Combination<'a, B, K> {
         let left = self.halvings.get();
         self.halvings.set(left.saturating_sub(1));
         left > 0
+    }
+
+    /// Whether function `k` takes part.
+    pub(super) fn takes(&self, k: usize) -> bool {
+        self.pair.even[k] != 0.0 || self.pair.odd[k] != 0.0
     }
 
     /// The combination of given values, and the sum of its terms' sizes.

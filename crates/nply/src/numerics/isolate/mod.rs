@@ -47,8 +47,23 @@ const NEAREST: f64 = 1e-6;
 /// Where all functions vanish to a higher order than the first at 0, their sign is asked for here: nearer still their products underflow.
 const FIRST: f64 = 1e-60;
 
+/// A panel next to 0 as narrow as this is not parted: in narrower ones the squares of coordinates underflow.
+const NARROWEST: f64 = 1e-150;
+
 /// Halvings after which a panel is narrower than rounding can tell apart.
 const DEEPEST: u32 = 44;
+
+/// The highest power of the coordinate that is divided out.
+const MOST_ORDER: f64 = 3.0;
+
+/// How a combination leaves coordinate 0, where it vanishes.
+struct PastZero {
+    positive: bool,
+    /// its sign is sure from here on
+    from: f64,
+    /// the power of the coordinate with which it vanishes
+    order: usize,
+}
 
 /// A pair of combinations that are mirror images: even part plus, and less, odd part.
 ///
@@ -107,14 +122,34 @@ impl<const K: usize> Panel<K> {
     /// Hands every root of either combination on this panel to `found`, in no order.
     #[inline]
     pub(crate) fn roots(&self, basis: &impl Basis<K>, pair: &Pair<K>, found: &mut impl FnMut(Side, Root)) {
+        self.roots_up_to(basis, pair, None, found);
+    }
+
+    /// As [`roots`](Self::roots), where the next panel is one of other functions: `border` is the pair there as that panel
+    /// [starts](Self::at_start) with it, so that both see the same sign.
+    #[inline]
+    pub(crate) fn roots_up_to(
+        &self,
+        basis: &impl Basis<K>,
+        pair: &Pair<K>,
+        border: Option<(f64, f64)>,
+        found: &mut impl FnMut(Side, Root),
+    ) {
         let parts = (self.sum(&pair.even), self.sum(&pair.odd));
         for side in [1.0, -1.0] {
-            let (b, tolerance) = joined(&parts, side);
+            let border = border.map(|(even, odd)| (self.end, even + side * odd));
+            let here = Combination::new(basis, pair, side, border);
+            let (b, tolerance) = self.joined(&here, &parts);
             if !bernstein::one_sign(&b, tolerance) {
-                let here = Combination::new(basis, pair, side);
                 self.search(&here, &b, tolerance, &mut |root| found(side, root), DEEPEST);
             }
         }
+    }
+
+    /// The pair's even and odd part at the start.
+    #[inline]
+    pub(crate) fn at_start(&self, pair: &Pair<K>) -> (f64, f64) {
+        (self.sum(&pair.even).0[0], self.sum(&pair.odd).0[0])
     }
 
     /// The polynomial of a weighted sum, and how far it may be off.
@@ -132,6 +167,17 @@ impl<const K: usize> Panel<K> {
         (sum, tolerance)
     }
 
+    /// Even part plus, or less, odd part.
+    #[inline]
+    fn joined<B: Basis<K>>(&self, here: &Combination<'_, B, K>, parts: &(Sum, Sum)) -> Sum {
+        let ((even, even_tolerance), (odd, odd_tolerance)) = parts;
+        let mut sum: Bernstein = core::array::from_fn(|i| even[i] + here.side * odd[i]);
+        if let Some((_, value)) = here.border.filter(|(end, _)| *end <= self.end) {
+            sum[ORDER - 1] = value;
+        }
+        (sum, even_tolerance + odd_tolerance)
+    }
+
     fn search<B: Basis<K>>(
         &self,
         here: &Combination<'_, B, K>,
@@ -145,13 +191,8 @@ impl<const K: usize> Panel<K> {
             let slope_lost = size > 0.0 && slope.abs() <= 8.0 * f64::EPSILON * size;
             let unnoticed = if slope_lost { NEAREST * NEAREST * NEAREST * size } else { 0.0 };
             if b[0].abs() <= self.rounding_at_start(here).max(unnoticed) {
-                match self.sign_past_zero(here, slope, slope_lost) {
-                    Some(from) => {
-                        // nearer to 0 than this what is left of the terms that cancel there hides the first order
-                        let hidden = if slope == 0.0 { FIRST } else { self.rounding_at_start(here) / slope.abs() };
-                        let low = hidden.min(0.5 * self.end);
-                        self.search_past_zero(here, b, tolerance, (from, low), found, depth);
-                    }
+                match self.past_zero(here, slope, slope_lost) {
+                    Some(past) => self.search_past_zero(here, b, tolerance, &past, found, depth),
                     None => self.search_away_from_zero(here, found, depth),
                 }
                 return;
@@ -164,18 +205,25 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// Either half, fitted anew.
+    /// Either half, fitted anew. Next to 0, where coordinates keep their digits however small they are, a quarter and the rest, of which
+    /// neither is any deeper.
     fn halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
-        let middle = 0.5 * (self.start + self.end);
+        let (middle, depth) =
+            if self.start == 0.0 { (0.25 * self.end, DEEPEST - 1) } else { (0.5 * (self.start + self.end), depth - 1) };
         for (start, end) in [(self.start, middle), (middle, self.end)] {
-            Self::fit(here.basis, start, end).search_fitted(here, found, depth - 1);
+            Self::fit(here.basis, start, end).search_fitted(here, found, depth);
         }
+    }
+
+    /// Whether halves can be told from the whole.
+    fn may_halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, depth: u32) -> bool {
+        (if self.start == 0.0 { self.end > NARROWEST } else { depth > 0 }) && here.may_halve()
     }
 
     /// The search of a panel of which the combination's polynomial is not known yet.
     fn search_fitted<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
         let parts = (self.sum(&here.pair.even), self.sum(&here.pair.odd));
-        let (b, tolerance) = joined(&parts, here.side);
+        let (b, tolerance) = self.joined(here, &parts);
         self.search(here, &b, tolerance, found, depth);
     }
 
@@ -217,21 +265,27 @@ impl<const K: usize> Panel<K> {
                 let top = here.extremum(self.start, self.end, differences[0] > 0.0);
                 here.around(top, self.start, self.end, from, to, found);
             }
-            _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
+            _ if self.may_halve(here, depth) => self.halve(here, found, depth),
             // narrower than rounding: value, slope and curvature vanish together
             _ => here.around(0.5 * (self.start + self.end), self.start, self.end, from, to, found),
         }
     }
 
-    /// The sign just past coordinate 0, where the combination vanishes; `None` where its first order cancels to rounding.
-    fn sign_past_zero<B: Basis<K>>(&self, here: &Combination<'_, B, K>, slope: f64, slope_lost: bool) -> Option<bool> {
+    /// How the combination leaves coordinate 0, where it vanishes; `None` where its first order cancels to rounding.
+    fn past_zero<B: Basis<K>>(&self, here: &Combination<'_, B, K>, slope: f64, slope_lost: bool) -> Option<PastZero> {
         if slope != 0.0 {
-            return (!slope_lost).then_some(slope > 0.0);
+            // nearer to 0 than this what is left of the terms that cancel there hides the first order
+            let hidden = self.rounding_at_start(here) / slope.abs();
+            return (!slope_lost).then_some(PastZero { positive: slope > 0.0, from: hidden, order: 1 });
         }
         // all functions vanish to a higher order: so close to 0 nothing but the lowest counts
         let values = here.basis.at(FIRST).map(|function| function.value);
         let (value, size) = here.sum_and_size(&values);
-        (!slope_lost && value.abs() > 8.0 * f64::EPSILON * size).then_some(value > 0.0)
+        let order = |value: &f64| libm::round(libm::log(value.abs()) / libm::log(FIRST));
+        let taking_part = values.iter().enumerate().filter(|(k, value)| here.takes(*k) && **value != 0.0);
+        let order = taking_part.map(|(_, value)| order(value)).fold(MOST_ORDER, f64::min).max(1.0) as usize;
+        let sure = !slope_lost && value.abs() > 8.0 * f64::EPSILON * size;
+        sure.then_some(PastZero { positive: value > 0.0, from: FIRST, order })
     }
 
     /// Roots beyond where the combination first stands out from the rounding of its terms, some thousandfold; nearer ones
@@ -252,33 +306,33 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// The combination vanishes at coordinate 0, beyond which it has the sign `from`, at `low` for sure: its roots elsewhere are those of the
-    /// quotient by the coordinate.
+    /// The combination vanishes at coordinate 0: its roots elsewhere are those of the quotient by the power of the coordinate with which it
+    /// vanishes.
     #[cold]
     fn search_past_zero<B: Basis<K>>(
         &self,
         here: &Combination<'_, B, K>,
         b: &Bernstein,
         tolerance: f64,
-        (from, low): (bool, f64),
+        past: &PastZero,
         found: &mut impl FnMut(Root),
         depth: u32,
     ) {
-        let to = b[ORDER - 1] >= 0.0;
+        let (from, to) = (past.positive, b[ORDER - 1] >= 0.0);
+        let low = past.from.min(0.5 * self.end);
         if self.is_lost(here, b) {
             if depth < DEEPEST && from != to {
                 found(here.refine_past_zero(low, self.end, from));
             }
             return;
         }
-        // t·Σ cᵢ Bᵢ¹⁰ = Σ bᵢ Bᵢ¹¹ gives cᵢ = 11 bᵢ₊₁/(i + 1), of which the first keeps no digits but has a sure sign
-        let mut quotient: [f64; ORDER - 1] = core::array::from_fn(|i| b[i + 1] * ((ORDER - 1) as f64 / (i + 1) as f64));
-        quotient[0] = if from { 1.0 } else { -1.0 };
-        // what a polynomial of degree k within the tolerance is over t is at most 2k² times it (Markov)
-        match bernstein::sign_changes(&quotient, (2 * (ORDER - 1) * (ORDER - 1)) as f64 * tolerance) {
+        let mut quotient = bernstein::over_power(b, past.order);
+        quotient[0] = if from { 1.0 } else { -1.0 }; // it keeps no digits but has a sure sign
+        let quotient = &quotient[..ORDER - past.order];
+        match bernstein::sign_changes(quotient, bernstein::growth(past.order) * tolerance) {
             0 => {}
             1 => found(here.refine_past_zero(low, self.end, from)),
-            _ if depth > 0 && here.may_halve() => self.halve(here, found, depth),
+            _ if self.may_halve(here, depth) => self.halve(here, found, depth),
             _ if from == to => {}
             _ => found(here.refine_past_zero(low, self.end, from)),
         }
@@ -310,13 +364,6 @@ impl<const K: usize> Panel<K> {
 
 /// A polynomial and how far it may be off.
 type Sum = (Bernstein, f64);
-
-/// Even part plus, or less, odd part.
-#[inline]
-fn joined(parts: &(Sum, Sum), side: Side) -> Sum {
-    let ((even, even_tolerance), (odd, odd_tolerance)) = parts;
-    (core::array::from_fn(|i| even[i] + side * odd[i]), even_tolerance + odd_tolerance)
-}
 
 #[cfg(test)]
 mod tests;
