@@ -227,6 +227,56 @@ fn buckling_is_bounded_as_by_hand() {
     assert!(json["states"][0]["buckling_thrust_sliding"].is_null() && !short.text(false).contains("buckles"));
 }
 
+/// Glued strands bend as n(B + ½ EA R²), and EA is 4B/r² of solid round ones alone: nothing is said of it where persistence lengths or a
+/// packing fraction say that the strands are others.
+#[test]
+fn the_upper_bound_is_of_solid_strands() {
+    let molecule = [
+        ("strands", "2"),
+        ("radius", "5 nm"),
+        ("bending-persistence-length", "50 nm"),
+        ("stiffness-ratio", "1.5"),
+        ("temperature", "298 K"),
+        ("helical-angle", "30 deg"),
+        ("hand", "right"),
+        ("strand-length", "1 um"),
+        ("force", "-0.0165 pN"),
+        ("moment", "4.11 pN nm"),
+    ];
+    let (report, _) = self::report(&molecule);
+    let text = report.text(false);
+    assert!(text.contains("bending stiffness, strands sliding") && !text.contains("locked"), "{text}");
+    assert!(report.notes.iter().any(|note| note.contains("may buckle")), "{:?}", report.notes);
+    assert!(report.notes.iter().all(|note| !note.contains("buckles as a whole:")), "{:?}", report.notes);
+    let rod: Vec<(&str, &str)> = molecule
+        .into_iter()
+        .filter(|(name, _)| *name != "temperature")
+        .map(|(name, value)| match name {
+            "bending-persistence-length" => ("bending-stiffness", "205.7 pN nm^2"),
+            _ => (name, value),
+        })
+        .collect();
+    let (report, _) = self::report(&rod);
+    assert!(report.text(false).contains("bending stiffness, solid strands locked"));
+    assert!(report.notes.iter().any(|note| note.contains("buckles as a whole:")), "{:?}", report.notes);
+}
+
+/// Neighbours that would have to pull hold nothing together: such a ply is no column, however wide its rings would be.
+#[test]
+fn what_has_come_apart_does_not_buckle() {
+    let (_, json) =
+        self::report(&[("strands", "3"), ("stiffness-ratio", "0.667"), ("pretwist", "-0.2"), ("strand-length", "300")]);
+    let states = json["states"].as_array().unwrap();
+    assert!(
+        states.iter().any(|state| state["separated"] == true) && states.iter().any(|state| state["separated"] == false)
+    );
+    for state in states {
+        for name in ["buckling_thrust_sliding", "buckling_thrust_locked"] {
+            assert_eq!(state[name].is_null(), state["separated"] == true, "{state}");
+        }
+    }
+}
+
 /// The strand twist held, by the other road: the states that any support carries, of which touching neighbours are one.
 #[test]
 fn each_way_of_holding_the_ends_has_its_verdict() {
@@ -312,6 +362,26 @@ fn strands_part_at_each_load_of_the_locus() {
         assert!(
             (state.load().moment - number(4)).abs() < 1e-6 && row[1] == state.handedness().lay_letter().to_string()
         );
+    }
+}
+
+/// Beside each line of constant angle stands its angle, and the line of that angle goes by there.
+#[test]
+fn lines_of_constant_angle_say_which() {
+    let report = locus(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.2")], 200);
+    let chart = report.picture();
+    assert!(chart.notes.len() > 8, "{:?}", chart.notes);
+    for note in &chart.notes {
+        let degrees: f64 = note.words.trim_end_matches('°').parse().unwrap();
+        let angle = nply::geometry::HelicalAngle::new(degrees.to_radians()).unwrap();
+        let passes = nply::Handedness::BOTH.into_iter().any(|hand| {
+            let line = report.line_of_angle(angle, hand).unwrap();
+            let (x, y) = (note.x - line.parting.force, note.y - line.parting.moment);
+            // on it, and where neighbours press
+            (x * line.direction.moment - y * line.direction.force).abs() < 1e-9 * (1.0 + line.direction.moment.abs())
+                && x * line.direction.force + y * line.direction.moment > 0.0
+        });
+        assert!(passes, "{note:?}");
     }
 }
 

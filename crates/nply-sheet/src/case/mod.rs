@@ -239,6 +239,12 @@ impl Case {
         self.origins.give(datum)
     }
 
+    /// Whether the strands may be solid and round. Molecules, known by how they bend in a solvent, and bundles of fibres with room between
+    /// them are not.
+    pub(crate) fn may_be_solid(&self) -> bool {
+        !self.gives(Datum::BendingPersistenceLength) && self.packing_fraction.is_none_or(|share| share >= 1.0)
+    }
+
     /// A refusal of what no ply let go can be, at a datum or at any of its group.
     pub(crate) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
         self.origins.refuse_domain(datum, why)

@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::column::Entry;
+use super::column::{Entry, OF_SOLID_STRANDS};
 use super::verdict::Verdicts;
 use super::{Known, Report, Section, found, margin};
 use crate::preferred::six_digits;
@@ -83,8 +83,12 @@ impl Report {
         shown.filter_map(|entry| self.row(entry)).collect()
     }
 
-    /// The row of a quantity; none for lengths per strand radius that repeat a pure number, or where no state has a value.
+    /// The row of a quantity; none for lengths per strand radius that repeat a pure number, for bounds that hold for other strands, or where
+    /// no state has a value.
     fn row(&self, entry: &Entry) -> Option<Row> {
+        if OF_SOLID_STRANDS.contains(&entry.name) && !self.case.may_be_solid() {
+            return None;
+        }
         let repeats = matches!(entry.name, "ply_radius" | "pretwist_per_length" | "strand_twist_per_length");
         if repeats && entry.measure.si(self.known()).is_none() {
             return None;
