@@ -146,10 +146,14 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// The pair's even and odd part at the start.
+    /// The pair's even and odd part at the start, to the bit those of the polynomials' sums.
     #[inline]
     pub(crate) fn at_start(&self, pair: &Pair<K>) -> (f64, f64) {
-        (self.sum(&pair.even).0[0], self.sum(&pair.odd).0[0])
+        let sum = |weights: &[f64; K]| {
+            let terms = weights.iter().zip(&self.functions).filter(|(weight, _)| **weight != 0.0);
+            terms.fold(0.0, |sum, (weight, function)| sum + weight * function[0])
+        };
+        (sum(&pair.even), sum(&pair.odd))
     }
 
     /// The polynomial of a weighted sum, and how far it may be off.
