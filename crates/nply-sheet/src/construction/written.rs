@@ -388,7 +388,11 @@ fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
         Some(key) => format!("it belongs below {}", header(key.table)),
         None => match nearest(written, of_table()) {
             Some(name) => format!("did you mean `{name}`?"),
-            None => format!("its keys are {}", of_table().collect::<Vec<_>>().join(", ")),
+            None => {
+                let within = matches!(table, Table::Core | Table::Layer).then_some(STRAND);
+                let keys: Vec<&str> = of_table().chain(within).collect();
+                format!("its keys are {}", keys.join(", "))
+            }
         },
     };
     let message = format!("{} is no key of {}", ticked(written), header(table));

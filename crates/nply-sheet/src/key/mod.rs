@@ -115,7 +115,7 @@ pub enum Kind {
     ForcePerLength,
     /// Mass per volume; bare where lengths are.
     Density,
-    /// Young's modulus of a layer or core; bare where lengths are.
+    /// Young's modulus, or strength, of a layer or core; bare where lengths are.
     Modulus,
 }
 
@@ -287,6 +287,8 @@ pub enum Datum {
     StrandCoreMaterial,
     StrandCoreYoungsModulus,
     StrandCorePoissonsRatio,
+    StrandCoreTensileStrength,
+    StrandCoreFibre,
     LayerWires,
     LayerWireDiameter,
     LayerLayLength,
@@ -298,6 +300,7 @@ pub enum Datum {
     LayerMaterial,
     LayerYoungsModulus,
     LayerPoissonsRatio,
+    LayerTensileStrength,
     LayerPreforming,
     LayerPretwist,
     CableForce,

@@ -85,7 +85,11 @@ impl StiffnessReport {
         let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
         let (unit, factor) = self.reading(figure.sort, largest);
         let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * factor + 0.0));
-        let row = Row { label: figure.label.to_owned(), unit, cells: values.iter().map(cell).collect() };
+        let label = match self.is_rope() {
+            true => figure.label.replace("a wire", "a strand"),
+            false => figure.label.to_owned(),
+        };
+        let row = Row { label, unit, cells: values.iter().map(cell).collect() };
         match parts.last_mut() {
             Some((heading, rows)) if *heading == figure.heading => rows.push(row),
             _ => parts.push((figure.heading, vec![row])),
