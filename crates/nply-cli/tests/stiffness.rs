@@ -27,6 +27,24 @@ fn text_of(file: &str) -> String {
     std::fs::read_to_string(root().join(file)).unwrap()
 }
 
+/// EA, GJ and coupling are the strand's: the unit of a load, or its absence, does not change theirs.
+#[test]
+fn stiffnesses_keep_their_units_whatever_the_load() {
+    let rows = |force: &str| -> Vec<String> {
+        let text = command::out(&["stiffness", "examples/strand-7-wire.toml", "--force", force]);
+        let mine = text
+            .lines()
+            .filter(|line| ["  EA, ", "  GJ, ", "  coupling", "  bending st"].iter().any(|l| line.starts_with(l)));
+        mine.map(|line| line.rsplit_once("  ").unwrap().0.trim().to_owned()).collect()
+    };
+    let none = rows("0");
+    assert_eq!(none.len(), 6 + 2, "{none:?}");
+    for force in ["130 kN", "0.1 MN", "20 N"] {
+        assert_eq!(rows(force), none, "{force}");
+    }
+    assert!(none.iter().all(|row| !row.contains("kN mm")), "{none:?}");
+}
+
 /// Shares of core and layers add up to the loads, which are those that were asked for.
 #[test]
 fn shares_add_up() {

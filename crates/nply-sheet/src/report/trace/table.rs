@@ -174,7 +174,7 @@ impl<S: Stop> Walked<S> {
 /// The numbers of a column; what is nothing beside the largest of them is 0, as where a contact opens or strands run straight.
 fn column<S: Stop>(item: &Item<S>, reader: &Reader<'_>, all: &[S]) -> Option<Row> {
     const NOTHING: f64 = 1e-13;
-    let mut row = reader.row(item, "", all)?;
+    let mut row = reader.row(item, "", all, &[])?;
     // a radius is never nothing, however far free helices open
     if item.measure == Measure::Number {
         return Some(row);
