@@ -35,10 +35,10 @@ fn stiffnesses_keep_their_units_whatever_the_load() {
         let mine = text
             .lines()
             .filter(|line| ["  EA, ", "  GJ, ", "  coupling", "  bending st"].iter().any(|l| line.starts_with(l)));
-        mine.map(|line| line.rsplit_once("  ").unwrap().0.trim().to_owned()).collect()
+        mine.map(|line| line.rsplit_once("  ").unwrap().0.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
     };
     let none = rows("0");
-    assert_eq!(none.len(), 6 + 2, "{none:?}");
+    assert_eq!(none.len(), 6, "{none:?}");
     for force in ["130 kN", "0.1 MN", "20 N"] {
         assert_eq!(rows(force), none, "{force}");
     }
