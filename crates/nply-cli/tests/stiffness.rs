@@ -136,6 +136,9 @@ fn small_angles() {
 /// Refusals are sentences with their place, and their exit status.
 #[test]
 fn refusals() {
+    let text = "# a rope\n[core]\ndiameter = \"4 mm\"\n[[layer]]\nwires = 6\nwire_diameter = \"4 mm\"\nlay_length = \"200 mm\"\n";
+    let answer = call_with(&["stiffness", "-"], text.as_bytes());
+    assert!(answer.err.contains(":3:") && answer.err.contains("`youngs_modulus` in [core]"), "{}", answer.err);
     let strand = |more: &[&str]| {
         let given = [
             "stiffness",
