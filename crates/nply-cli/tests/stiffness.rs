@@ -134,6 +134,28 @@ fn small_angles() {
 }
 
 /// Refusals are sentences with their place, and their exit status.
+/// The wires of a layer are `wires` in a file, and a flag that is not known gets no advice that leads nowhere.
+#[test]
+fn wires_are_called_wires() {
+    let fit = |name: &str| {
+        command::out(&[
+            "fit-check",
+            name,
+            "6",
+            "--core-diameter",
+            "4.3",
+            "--wire-diameter",
+            "4.2",
+            "--lay-length",
+            "200",
+        ])
+    };
+    assert_eq!(fit("--wires"), fit("--strands"));
+    let unknown = call(&["solve", "--strands", "3", "--gamma", "0.75"]);
+    assert!(unknown.code == 2 && unknown.err.contains("'--gamma'"), "{}", unknown.err);
+    assert!(!unknown.err.contains("as a value"), "{}", unknown.err);
+}
+
 #[test]
 fn refusals() {
     let text = "# a rope\n[core]\ndiameter = \"4 mm\"\n[[layer]]\nwires = 6\nwire_diameter = \"4 mm\"\nlay_length = \"200 mm\"\n";

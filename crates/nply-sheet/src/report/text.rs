@@ -114,9 +114,9 @@ fn row(label: &str, unit: &str, cells: impl Iterator<Item = String>) -> Row {
     Row { label: label.to_owned(), unit: unit.to_owned(), cells: cells.collect() }
 }
 
-/// The largest of values by size; 0 where there is none.
+/// The largest of finite values by size; 0 where there is none.
 pub(super) fn largest(values: &[Option<f64>]) -> f64 {
-    values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()))
+    values.iter().flatten().filter(|value| value.is_finite()).fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
 /// A row of values in the reader's units, chosen for a value of this size; none if there is no value at all.
