@@ -27,6 +27,24 @@ fn text_of(file: &str) -> String {
     std::fs::read_to_string(root().join(file)).unwrap()
 }
 
+/// EA, GJ and coupling are the strand's: the unit of a load, or its absence, does not change theirs.
+#[test]
+fn stiffnesses_keep_their_units_whatever_the_load() {
+    let rows = |force: &str| -> Vec<String> {
+        let text = command::out(&["stiffness", "examples/strand-7-wire.toml", "--force", force]);
+        let mine = text
+            .lines()
+            .filter(|line| ["  EA, ", "  GJ, ", "  coupling", "  bending st"].iter().any(|l| line.starts_with(l)));
+        mine.map(|line| line.rsplit_once("  ").unwrap().0.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    };
+    let none = rows("0");
+    assert_eq!(none.len(), 6, "{none:?}");
+    for force in ["130 kN", "0.1 MN", "20 N"] {
+        assert_eq!(rows(force), none, "{force}");
+    }
+    assert!(none.iter().all(|row| !row.contains("kN mm")), "{none:?}");
+}
+
 /// Shares of core and layers add up to the loads, which are those that were asked for.
 #[test]
 fn shares_add_up() {
@@ -124,8 +142,33 @@ fn small_angles() {
 }
 
 /// Refusals are sentences with their place, and their exit status.
+/// The wires of a layer are `wires` in a file, and a flag that is not known gets no advice that leads nowhere.
+#[test]
+fn wires_are_called_wires() {
+    let fit = |name: &str| {
+        command::out(&[
+            "fit-check",
+            name,
+            "6",
+            "--core-diameter",
+            "4.3",
+            "--wire-diameter",
+            "4.2",
+            "--lay-length",
+            "200",
+        ])
+    };
+    assert_eq!(fit("--wires"), fit("--strands"));
+    let unknown = call(&["solve", "--strands", "3", "--gamma", "0.75"]);
+    assert!(unknown.code == 2 && unknown.err.contains("'--gamma'"), "{}", unknown.err);
+    assert!(!unknown.err.contains("as a value"), "{}", unknown.err);
+}
+
 #[test]
 fn refusals() {
+    let text = "# a rope\n[core]\ndiameter = \"4 mm\"\n[[layer]]\nwires = 6\nwire_diameter = \"4 mm\"\nlay_length = \"200 mm\"\n";
+    let answer = call_with(&["stiffness", "-"], text.as_bytes());
+    assert!(answer.err.contains(":3:") && answer.err.contains("`youngs_modulus` in [core]"), "{}", answer.err);
     let strand = |more: &[&str]| {
         let given = [
             "stiffness",

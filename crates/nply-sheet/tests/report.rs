@@ -160,6 +160,45 @@ fn margins_are_read_in_the_units_of_the_input() {
     assert_eq!(value("stability_rotation_held"), "stable");
 }
 
+/// Two bounds that are compared, and terms that are summed, stand in one unit; a zero goes with what it is compared with.
+#[test]
+fn what_is_compared_has_one_unit() {
+    let unit = |text: &str, label: &str| {
+        let row =
+            text.lines().find(|line| line.trim_start().starts_with(label)).unwrap_or_else(|| panic!("{label}: {text}"));
+        // label, unit and cells stand at least two blanks apart
+        row.trim().split("  ").filter(|part| !part.is_empty()).nth(1).unwrap().trim().to_owned()
+    };
+    // pull it buckles at: some µN where strands slide, some mN where they do not
+    let ply = [
+        ("strands", "3"),
+        ("diameter", "1 mm"),
+        ("bending-stiffness", "1 N mm^2"),
+        ("stiffness-ratio", "0.75"),
+        ("strand-length", "200 mm"),
+        ("pretwist", "-1"),
+    ];
+    let text = report(&ply).0.text(false);
+    let thrust = |how: &str| unit(&text, &format!("thrust it buckles at, strands {how}"));
+    assert_eq!(thrust("sliding"), thrust("locked"));
+    assert_eq!(unit(&text, "end loads"), unit(&text, "total"));
+    assert_eq!(unit(&text, "end loads"), unit(&text, "bending  "));
+    // strands that swivel have no twist: all link is writhe
+    let braid = [
+        ("strands", "2"),
+        ("radius", "1 nm"),
+        ("bending-stiffness", "206 pN nm^2"),
+        ("stiffness-ratio", "2.4"),
+        ("strand-twist", "0"),
+        ("helical-angle", "18 deg"),
+        ("force", "10 pN"),
+    ];
+    let text = report(&braid).0.text(false);
+    let per_length = |what: &str| unit(&text, &format!("{what}, per strand length"));
+    assert_eq!([per_length("put in"), per_length("twist")], [per_length("writhe"), per_length("writhe")]);
+    assert_eq!(unit(&text, "strand twist per strand length"), unit(&text, "pretwist per strand length"));
+}
+
 #[test]
 fn the_ledger_of_link_adds_up() {
     let flags = [

@@ -90,6 +90,9 @@ impl RegressionReport {
         let regression = Regression::with_lines(written.model, &asked, columns, data.lines()).map_err(refused)?;
         let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
         let answer = regression.run_while(may_go_on).map_err(refused)?;
+        if let Some(message) = without_sign(&regression, &answer) {
+            return Err(data.refuse(None, ErrorKind::Domain, message));
+        }
         let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
         Ok(Self {
             title: written.title,
@@ -544,8 +547,41 @@ fn three_digits(value: f64) -> String {
     six_digits(rounded)
 }
 
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     if share.is_finite() { format!("{} %", three_digits(100.0 * share)) } else { "–".to_owned() }
+}
+
+/// Turns of the ply that were counted without their sign: pulled strands that were twisted one way and turn freely wind the other way, so that no
+/// touching state comes near rows in which both have one sign.
+fn without_sign(regression: &Regression, answer: &Regressed) -> Option<String> {
+    const STRAIGHT: f64 = 1e-3;
+    let columns = &regression.columns;
+    let twist = columns.iter().find(|column| matches!(column.given, Given::Twist(_)))?;
+    let counted = columns.iter().find(|column| {
+        let turns = [
+            Observable::PlyRotation,
+            Observable::PlyTurns,
+            Observable::PlyTurnsPerStrandLength,
+            Observable::PlyTurnsPerLength,
+        ];
+        column.role != Role::Held && observable(column).is_some_and(|observable| turns.contains(&observable))
+    })?;
+    let all = |load: Observable, fits: fn(f64) -> bool| {
+        let mut columns = columns.iter().filter(|column| column.given == Given::State(load));
+        columns.all(|column| column.values.iter().all(|value| fits(*value)))
+    };
+    let pulled = all(Observable::Force, |force| force >= 0.0) && all(Observable::Moment, |moment| moment == 0.0);
+    let mut pairs = twist.values.iter().zip(&counted.values).filter(|(twist, turns)| **twist != 0.0 && **turns != 0.0);
+    let alike = pairs.all(|(twist, turns)| twist.is_sign_positive() == turns.is_sign_positive());
+    let touches = answer.rows.iter().any(|row| row.interstrand_pressure >= 0.0 && row.helical_angle > STRAIGHT);
+    (pulled && alike && !touches && !answer.rows.is_empty()).then(|| {
+        let name = counted.given.name();
+        format!(
+            "all {} rows wind the way their strands were twisted, which no touching state does: strands twisted Z (+) make a ply that winds S (−), and \
+             the other way round; is the sign of {name} missing?",
+            answer.rows.len()
+        )
+    })
 }
 
 /// Without colours.

@@ -40,7 +40,7 @@ const PRESSURE: Sort = Sort::Of(Dimension::PRESSURE);
 const LINE: Sort = Sort::Of(Dimension::FORCE_PER_LENGTH);
 
 const STATE: &str = "Loads and shape";
-const SMALL: &str = "Stiffness against small changes";
+pub(super) const SMALL: &str = "Stiffness against small changes";
 const STRENGTH: &str = "Strength";
 const OPENS: &str = "Margin to birdcaging (what presses least lets go)";
 

@@ -176,7 +176,7 @@ impl<S: Stop> Walked<S> {
 fn column<S: Stop>(item: &Item<S>, reader: &Reader<'_>, all: &[S]) -> Option<Row> {
     const NOTHING: f64 = 1e-13;
     const NEXT_TO_RINGS: f64 = 1e-7;
-    let mut row = reader.row(item, "", all)?;
+    let mut row = reader.row(item, "", all, &[])?;
     let largest = |of: &dyn Fn(&S) -> bool| {
         all.iter().filter(|s| of(s)).filter_map(|s| item.of(s)).fold(0.0, |most: f64, v| most.max(v.abs()))
     };
