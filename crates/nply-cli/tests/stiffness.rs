@@ -284,6 +284,10 @@ fn a_strand_of_a_rope_alone() {
     let (pull, turns) = (number(one, "wire_tension_N"), number(one, "wire_twist_rad_per_m"));
     let alone =
         of_text(&strand, &["--force", &format!("{pull:?} N"), "--turns-per-length", &format!("{turns:?} rad/m")]);
+    // its wires are pulled as hard, and a little more where it is bent in the rope
+    let most = |name: &str| f64::max(number(&alone["core"], name), number(&alone["layers"][0], name));
+    let more = number(one, "stress_greatest_Pa") / most("stress_greatest_Pa") - 1.0;
+    assert!(more > 0.0 && more < 0.03, "{more}");
     // to first order: a strand counts as it is free of load
     let (alone, in_rope) = (number(&alone, "strain"), number(one, "wire_strain"));
     assert!((alone - in_rope).abs() < 1e-3 * in_rope.abs(), "{alone} {in_rope}");

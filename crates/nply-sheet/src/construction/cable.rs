@@ -21,6 +21,8 @@ pub struct CableCase {
     pub construction: Construction,
     /// As the theory has it, in the units of the construction.
     pub cable: Cable,
+    /// What the core (if there is one) and the rods of each layer are made of, from the inside: a strand within, or `None` of solid ones.
+    pub strands: Vec<Option<Cable>>,
     /// What its ends are given; `None` as laid.
     pub grips: Option<CableGrips>,
     /// What else is asked.
@@ -70,6 +72,13 @@ impl ConstructionSpec {
             return Err(entry.error(ErrorKind::Contradiction, message));
         }
         let cable = self.cable_of(&construction)?;
+        let core = construction.core.iter().map(|core| (core.strand.as_deref(), self.core_strand.as_deref()));
+        let layers = construction.layers.iter().zip(&self.layers);
+        let layers = layers.map(|(layer, part)| (layer.strand.as_deref(), part.strand.as_deref()));
+        let within = core
+            .chain(layers)
+            .map(|(strand, spec)| strand.zip(spec).map(|(strand, spec)| spec.cable_of(strand)).transpose());
+        let strands = within.collect::<Result<Vec<_>, SpecError>>()?;
         let finite = |entry: &Entry| entry.finite(entry.number());
         let force = self.head(Datum::CableForce).map(finite).transpose()?;
         let ends: Vec<&Entry> = self.head.iter().filter(|entry| entry.key.group == Some(Group::Ends)).collect();
@@ -87,7 +96,7 @@ impl ConstructionSpec {
                 Some(CableGrips::Turned { force: force.unwrap_or(0.0), turning: turned.unwrap_or(0.0) })
             }
         };
-        Ok(CableCase { question: self.balance(construction.layers.len())?, construction, cable, grips })
+        Ok(CableCase { question: self.balance(construction.layers.len())?, construction, cable, strands, grips })
     }
 
     fn balance(&self, layers: usize) -> Result<CableQuestion, SpecError> {

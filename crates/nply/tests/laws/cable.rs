@@ -495,11 +495,10 @@ fn tension_of_one_rod() {
     assert!(small.twist() != 0.0);
 }
 
-/// How much a core gives against the same by hand, for strings on a core without Poisson's ratio: p from T κ, Lamé's radius, and no more.
+/// How much a core gives against the same by hand, for strings on it: p from T κ, the core's radius from Lamé (plane strain), and no more.
 #[test]
 fn what_a_soft_core_gives() {
-    let (n, lay, r, core) = (6.0, 75.0, 1.9, 2.1);
-    let (axial, modulus) = (1.5e6, 500.0);
+    let (n, lay, r, core, axial) = (6.0, 75.0, 1.9, 2.1, 1.5e6);
     let layer = Layer {
         strands: 6,
         rod: Rod::new(r, axial, 1e-6, 1e-6, 0.0).unwrap(),
@@ -508,23 +507,26 @@ fn what_a_soft_core_gives() {
         preforming: 1.0,
         pretwist: 0.0,
     };
-    let cable = |modulus| Cable::new(Some(Rod::solid_round(core, modulus, 0.0).unwrap()), &[layer]).unwrap();
+    let on = |radius: f64, modulus: f64, nu: f64| {
+        Cable::new(Some(Rod::solid_round(radius, modulus, nu).unwrap()), &[layer]).unwrap()
+    };
     let radius = r + core;
     let tan: f64 = TAU * radius / lay;
     let (cos2, sin2) = (1.0 / (1.0 + tan * tan), tan * tan / (1.0 + tan * tan));
-    let by_hand = |modulus: f64| {
-        let tension = axial * cos2; // per strain of the cable
+    let by_hand = |modulus: f64, nu: f64| {
+        // per strain of the cable, the core thinning as it is stretched
+        let tension = axial * (cos2 - nu * core / radius * sin2);
         // Tκ per rod length, which is 1/cos θ per cable length
         let pressure = n * tension * sin2 / radius / cos2.sqrt() / (TAU * core);
-        pressure / modulus * core / radius * tan * tan
+        (1.0 + nu) * (1.0 - 2.0 * nu) * pressure / modulus * core / radius * tan * tan
     };
-    for modulus in [modulus, 3.0 * modulus] {
-        let give = cable(modulus).core_give().unwrap();
-        assert!((give / by_hand(modulus) - 1.0).abs() < 1e-4, "{give} {}", by_hand(modulus));
+    for (modulus, nu) in [(500.0, 0.0), (1500.0, 0.0), (500.0, 0.3)] {
+        let give = on(core, modulus, nu).core_give().unwrap();
+        assert!((give / by_hand(modulus, nu) - 1.0).abs() < 1e-4, "{give} {}", by_hand(modulus, nu));
     }
-    assert!(cable(modulus).core_give().unwrap() > 1.0);
+    assert!(on(core, 500.0, 0.0).core_give().unwrap() > 1.0);
     // strands that carry each other do not lie on it
-    assert_eq!(Cable::new(Some(Rod::solid_round(1.0, 1.0, 0.0).unwrap()), &[layer]).unwrap().core_give(), None);
+    assert_eq!(on(1.0, 1.0, 0.0).core_give(), None);
 }
 
 /// What a core of fibre is left out of, and how strengths add up: by hand.

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use nply::Handedness;
-use nply::mechanics::{CableGrips, CableState, LayerState, Rod};
+use nply::mechanics::{Cable, CableGrips, CableState, LayerState, Rod};
 
 use crate::Dimension;
 use crate::report::figured::figure;
@@ -29,6 +29,8 @@ pub(super) struct Member {
     pub(super) state: CableState,
     /// `None`: the core
     pub(super) layer: Option<LayerState>,
+    /// where it is a strand: that strand alone, strained and twisted as it is here
+    pub(super) within: Option<CableState>,
 }
 
 const FORCE: Sort = Sort::Of(Dimension::FORCE);
@@ -91,7 +93,7 @@ pub(super) static OF_MEMBER: [Figure<Member>; 24] = [
     figure(STRESS, "stress_stretch", "from stretch", Sort::Stress, |m| Some(stress(m)?.stretch)),
     figure(STRESS, "stress_bending", "from bending", Sort::Stress, |m| Some(stress(m)?.bending)),
     figure(STRESS, "stress_twist", "shear from twist", Sort::Stress, |m| Some(stress(m)?.twist)),
-    figure(STRESS, "stress_greatest", "stretch and bending, greatest", Sort::Stress, |m| stress(m).map(|s| s.stretch + s.bending)),
+    figure(STRESS, "stress_greatest", "stretch and bending, greatest", Sort::Stress, greatest),
     figure(STRESS, "stress_equivalent", "equivalent (von Mises), greatest", Sort::Stress, |m| Some(stress(m)?.equivalent())),
     figure(STRESS, "strength_used", "stretch and bending, of the tensile strength", Sort::Percent, strength_used),
     figure(PRESS, "pressure_on_core", "on the core, evenly spread", Sort::Stress, |m| if m.layer.is_none() { m.state.pressure_on_core() } else { None }),
@@ -105,11 +107,16 @@ pub(super) static OF_MEMBER: [Figure<Member>; 24] = [
     figure("", "section_area", "", Sort::Of(Dimension::AREA), |m| Some(PI * radius(m)? * radius(m)?)),
 ];
 
-/// The core, if there is one, and a wire of each layer from the inside.
-pub(super) fn members(state: &CableState) -> Vec<Member> {
-    let core = state.cable().core().map(|_| Member { state: state.clone(), layer: None });
-    let layers = state.layers().iter().map(|layer| Member { state: state.clone(), layer: Some(*layer) });
-    core.into_iter().chain(layers).collect()
+/// The core, if there is one, and a wire of each layer from the inside, with the strands that these are.
+pub(super) fn members(state: &CableState, strands: &[Option<Cable>]) -> Vec<Member> {
+    let core = state.cable().core().map(|_| None);
+    let layers = state.layers().iter().map(|layer| Some(*layer));
+    let within = |at: usize, layer: Option<LayerState>| {
+        let [strain, turning] = layer.map_or([state.strain(), state.turning()], |layer| [layer.strain, layer.twist()]);
+        strands.get(at)?.as_ref()?.loaded(CableGrips::Clamped { strain, turning }).ok()
+    };
+    let all = core.into_iter().chain(layers).enumerate();
+    all.map(|(at, layer)| Member { state: state.clone(), layer, within: within(at, layer) }).collect()
 }
 
 /// The rod that it is one of.
@@ -117,21 +124,45 @@ fn rod(m: &Member) -> Option<Rod> {
     m.layer.map_or(m.state.cable().core(), |layer| Some(layer.layer.rod))
 }
 
-/// How much of its tensile strength a solid wire uses where it is pulled most; `None` of a strand, and where no strength is known.
+/// Stretch and bending where it is pulled most: of a solid wire, or of all the wires of a strand. These slide freely, and are bent as far as the strand is.
+fn greatest(m: &Member) -> Option<f64> {
+    over_wires(m, |wire, bent| {
+        let stress = stress(wire)?;
+        Some(stress.stretch + stress.bending + modulus(wire)? * radius(wire)? * bent)
+    })
+}
+
+/// How much of its tensile strength that is, of the wire that uses most; `None` where a strength is not known.
 pub(super) fn strength_used(m: &Member) -> Option<f64> {
-    let rod = rod(m)?;
-    let strength = rod.breaking_load()? / rod.area();
-    stress(m).map(|s| (s.stretch + s.bending) / strength)
+    over_wires(m, |wire, bent| {
+        let (stress, rod) = (stress(wire)?, rod(wire)?);
+        let pull = stress.stretch + stress.bending + modulus(wire)? * radius(wire)? * bent;
+        Some(pull * rod.area() / rod.breaking_load()?)
+    })
+}
+
+/// The greatest of something over the wires of a strand that count as metal, told with the change of the strand's own curvature; of a solid wire, its own.
+/// `None` where it is not known of one of them.
+fn over_wires(m: &Member, of: impl Fn(&Member, f64) -> Option<f64>) -> Option<f64> {
+    let Some(strand) = &m.within else { return of(m, 0.0) };
+    let bent = m.layer.map_or(0.0, |layer| layer.bending_strain.abs() / layer.layer.rod.radius());
+    let wires = members(strand, &[]).into_iter().filter(is_counted);
+    let mut values = wires.map(|wire| of(&wire, bent));
+    values.try_fold(f64::NEG_INFINITY, |most, value| Some(most.max(value?)))
+}
+
+/// Whether it counts as metal.
+fn is_counted(m: &Member) -> bool {
+    rod(m).is_some_and(|rod| rod.area() > 0.0)
 }
 
 /// The force at which, with ends that do not turn from here, a wire first reaches its tensile strength by stretch and bending. `None` unless all that
 /// counts as wire is solid, and its strength known.
 fn force_at_strength(s: &CableState) -> Option<f64> {
     s.cable().metallic_breaking_load()?;
-    let counted = |m: &Member| rod(m).is_some_and(|rod| rod.area() > 0.0);
     let at = |strain: f64| s.cable().loaded(CableGrips::Clamped { strain, turning: s.turning() }).ok();
     let most_used = |state: &CableState| {
-        let mut used = members(state).into_iter().filter(|m| counted(m)).map(|m| strength_used(&m));
+        let mut used = members(state, &[]).into_iter().filter(is_counted).map(|m| strength_used(&m));
         used.try_fold(0.0, |most: f64, used| Some(most.max(used?)))
     };
     // from no strain up to where it is passed, then halved until nothing is left to halve

@@ -71,7 +71,7 @@ impl StiffnessReport {
     }
 
     fn members(&self) -> Vec<Member> {
-        members(&self.state)
+        members(&self.state, &self.case.strands)
     }
 
     /// Whether every layer is of strands.
@@ -161,8 +161,9 @@ impl StiffnessReport {
         notes.extend(self.overstressed());
         if construction.layers.iter().any(|layer| layer.strand.is_some()) {
             notes.push(
-                "Each strand counts as one rod, with the stiffnesses found for it as laid straight and free of load; its wires' own stresses and contacts are \
-                 not in the table. They are had by asking about that strand alone, under the pull that would strain it so and with the turns that are put into it."
+                "Each strand counts as one rod, with the stiffnesses found for it as laid straight and free of load; of its wires the \
+                 table has the greatest stress, at the strand's strain and twist. The rest is had by asking about that strand alone, under the pull that would strain it so \
+                 and with the turns that are put into it."
                     .to_owned(),
             );
         }
