@@ -179,8 +179,8 @@ fn what_is_compared_has_one_unit() {
         ("pretwist", "-1"),
     ];
     let text = report(&ply).0.text(false);
-    let thrust = |how: &str| unit(&text, &format!("thrust it buckles at, strands {how}"));
-    assert_eq!(thrust("sliding"), thrust("locked"));
+    let thrust = |how: &str| unit(&text, &format!("thrust it buckles at, {how}"));
+    assert_eq!(thrust("strands sliding"), thrust("solid strands locked"));
     assert_eq!(unit(&text, "end loads"), unit(&text, "total"));
     assert_eq!(unit(&text, "end loads"), unit(&text, "bending  "));
     // strands that swivel have no twist: all link is writhe
