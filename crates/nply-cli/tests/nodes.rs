@@ -295,3 +295,34 @@ fn quadratic_elements_have_their_middle_nodes_on_the_helix() {
         "{inp}"
     );
 }
+
+/// What is written for a solver is read again, with its radii and its unit: the same gaps as of the table.
+#[test]
+fn an_input_file_is_checked_as_the_table_is() {
+    for more in [
+        &["examples/spiral-strand-1x19.toml", "--lay-lengths", "1"][..],
+        &["examples/strand-7-wire.toml", "--element-type", "B32"],
+    ] {
+        let found = ["csv", "inp"].map(|ending| {
+            let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+                .join(format!("checked-{}.{ending}", more.len() + more[0].len()));
+            out(&[&["nodes"], more, &["--output", path.to_str().unwrap()]].concat());
+            json(&["clearance", path.to_str().unwrap(), "--json"])
+        });
+        assert_eq!(found[1]["unit"], "mm");
+        assert_eq!(found[1]["overlapping_pairs"], 0);
+        for name in ["least_distance", "clearance"] {
+            let [csv, inp] = [0, 1].map(|at| number(&found[at], name));
+            assert!((csv - inp).abs() < 1e-12, "{more:?} {name}: {csv} {inp}");
+        }
+        let names = |at: usize| {
+            found[at]["curves"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|it| it["name"].as_str().unwrap().to_lowercase())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(names(0), names(1));
+    }
+}
