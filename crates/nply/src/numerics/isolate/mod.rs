@@ -3,9 +3,9 @@
 //! The functions are kept as polynomials (a [`Panel`]) with a bound on what the polynomials leave out, so that a
 //! combination costs a few products and its coefficients' signs tell how many roots there can be: none or one at once,
 //! nearly always. Where they do not decide, the derivative's signs may (monotone; one extremum, whose exact height then
-//! decides), and otherwise the panel is halved and fitted anew. Ends shared by two panels have one exact sign, zero
+//! decides), and otherwise the panel is parted and fitted anew. Ends shared by two panels have one exact sign, zero
 //! counting as positive, so that a root on the border belongs to exactly one of them. Roots at coordinate 0 itself are
-//! divided out.
+//! divided out, with the power of the coordinate that they have.
 
 mod combination;
 
@@ -146,10 +146,14 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// The pair's even and odd part at the start.
+    /// The pair's even and odd part at the start, to the bit those of the polynomials' sums.
     #[inline]
     pub(crate) fn at_start(&self, pair: &Pair<K>) -> (f64, f64) {
-        (self.sum(&pair.even).0[0], self.sum(&pair.odd).0[0])
+        let sum = |weights: &[f64; K]| {
+            let terms = weights.iter().zip(&self.functions).filter(|(weight, _)| **weight != 0.0);
+            terms.fold(0.0, |sum, (weight, function)| sum + weight * function[0])
+        };
+        (sum(&pair.even), sum(&pair.odd))
     }
 
     /// The polynomial of a weighted sum, and how far it may be off.
@@ -205,11 +209,11 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// Either half, fitted anew. Next to 0, where coordinates keep their digits however small they are, a quarter and the rest, of which
-    /// neither is any deeper.
+    /// Either half, fitted anew. Next to 0, where coordinates keep their digits however small they are, a sixteenth and the rest, of which
+    /// neither is any deeper: some 120 steps lead to [`NARROWEST`].
     fn halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
         let (middle, depth) =
-            if self.start == 0.0 { (0.25 * self.end, DEEPEST - 1) } else { (0.5 * (self.start + self.end), depth - 1) };
+            if self.start == 0.0 { (0.0625 * self.end, DEEPEST - 1) } else { (0.5 * (self.start + self.end), depth - 1) };
         for (start, end) in [(self.start, middle), (middle, self.end)] {
             Self::fit(here.basis, start, end).search_fitted(here, found, depth);
         }
