@@ -17,8 +17,8 @@ use crate::interrupt;
 /// Which files are read, said once for all commands on curves.
 const FILES: &str = "\
 FILE holds polylines: rows x y z (CSV, or separated by blanks; a column named curve, strand, wire or chain, or blank
-lines, stand between several), XYZ, PDB (the trace of each chain), VTK and VTP lines, OBJ `l` lines, NumPy .npy of shape
-(N, 3) or (K, N, 3). A curve whose last point repeats the first is closed.";
+lines, stand between several), XYZ, PDB (the trace of each chain), VTK and VTP lines, OBJ `l` lines, beams of INP
+(`*NODE`, `*ELEMENT`), NumPy .npy of shape (N, 3) or (K, N, 3). A curve whose last point repeats the first is closed.";
 
 /// What a command's `--help` says first: what it does, and which files it reads.
 pub(crate) fn about(what: &str) -> String {

@@ -1,6 +1,6 @@
 """Curves, from arrays or files: writhe, link, clearance.
 
-*Curves* are an array of shape (N, 3) (one curve) or (K, N, 3) (K curves), a path to a file the command reads (rows, XYZ, PDB, VTK, VTP, OBJ,
+*Curves* are an array of shape (N, 3) (one curve) or (K, N, 3) (K curves), a path to a file the command reads (rows, XYZ, PDB, VTK, VTP, OBJ, INP,
 NPY), or a list of these. A curve whose last point repeats the first is closed, unless ``closed`` says otherwise.
 """
 
