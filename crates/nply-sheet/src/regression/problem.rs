@@ -77,6 +77,9 @@ impl DataColumn {
     }
 }
 
+/// A row that says nothing: its line, and what is missing there.
+type LeftOut = (usize, &'static str);
+
 /// Parameters to be estimated from rows.
 ///
 /// A load in no column is 0, as elsewhere; one that is NaN in a row is unknown there, and found with the row's state.
@@ -89,8 +92,7 @@ pub struct Regression {
     pub(super) weighed: bool,
     pub(super) charted: Ply,
     pub(super) known: Vec<Known>,
-    /// rows that say nothing: their lines, and what is missing there
-    pub(super) left_out: Vec<(usize, &'static str)>,
+    pub(super) left_out: Vec<LeftOut>,
     starts: usize,
 }
 
@@ -408,7 +410,7 @@ fn rows(
     columns: &[DataColumn],
     lines: &[usize],
     absent: &[Observable],
-) -> Result<(Vec<Row>, Vec<(usize, &'static str)>), RegressionError> {
+) -> Result<(Vec<Row>, Vec<LeftOut>), RegressionError> {
     let mut rows = Vec::with_capacity(lines.len());
     let mut left_out = Vec::new();
     let twist_column = columns.iter().find(|column| matches!(column.given, Given::Twist(_)));
