@@ -11,12 +11,16 @@ use nply::geometry::{Clearance, Wire, Wires};
 
 const STRAND: [&str; 8] = ["nodes", "--strands", "6", "--helical-angle", "17.44 deg", "--diameter", "2 mm", "--core"];
 
-/// The least gap of two wires of a file of nodes, coatings apart, and that of any wire to the core.
-fn measured(arguments: &[&str], coating: f64) -> (f64, f64) {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("nodes-{}.csv", arguments.join("").len()));
+/// A wire of a file of nodes: name, radius, nodes.
+type Row = (String, f64, Vec<[f64; 3]>);
+
+/// The wires of the file of nodes that is written.
+fn wires(arguments: &[&str]) -> Vec<Row> {
+    let name: String = arguments.concat().chars().filter(char::is_ascii_alphanumeric).collect();
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("nodes-{name}.csv"));
     out(&[arguments, &["--output", path.to_str().unwrap()]].concat());
     let text = fs::read_to_string(&path).unwrap();
-    let mut wires: Vec<(String, f64, Vec<[f64; 3]>)> = Vec::new();
+    let mut wires: Vec<Row> = Vec::new();
     for row in text.lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();
         let number = |i: usize| -> f64 { cells[i].parse().unwrap() };
@@ -25,20 +29,27 @@ fn measured(arguments: &[&str], coating: f64) -> (f64, f64) {
         }
         wires.last_mut().unwrap().2.push([number(3), number(4), number(5)]);
     }
-    let gap = |those: &[&(String, f64, Vec<[f64; 3]>)]| {
-        let wire =
-            |(_, radius, points): &&(String, f64, Vec<[f64; 3]>)| -> (f64, Vec<[f64; 3]>) { (*radius, points.clone()) };
-        let those: Vec<_> = those.iter().map(wire).collect();
-        let wires: Vec<Wire<'_>> = those
-            .iter()
-            .map(|(radius, points)| Wire { points, closed: false, diameter: 2.0 * (radius + coating) })
-            .collect();
-        let index = Wires::new(&wires).unwrap();
-        index.search(0..index.segments(), &Clearance::default()).tightest().unwrap().gap
-    };
+    wires
+}
+
+/// The least gap of any two of these wires, coatings apart.
+fn gap(those: &[&Row], coating: f64) -> f64 {
+    let wire = |(_, radius, points): &&'_ Row| (*radius, points.clone());
+    let those: Vec<_> = those.iter().map(wire).collect();
+    let wires: Vec<Wire<'_>> = those
+        .iter()
+        .map(|(radius, points)| Wire { points, closed: false, diameter: 2.0 * (radius + coating) })
+        .collect();
+    let index = Wires::new(&wires).unwrap();
+    index.search(0..index.segments(), &Clearance::default()).tightest().unwrap().gap
+}
+
+/// The least gap of two wires of a file of nodes, coatings apart, and that of any wire to the core.
+fn measured(arguments: &[&str], coating: f64) -> (f64, f64) {
+    let wires = wires(arguments);
     let (core, strands): (Vec<_>, Vec<_>) = wires.iter().partition(|(name, ..)| name == "core");
     assert_eq!((strands.len(), core.len()), (6, 1));
-    (gap(&strands), gap(&[strands[0], core[0]]))
+    (gap(&strands, coating), gap(&[strands[0], core[0]], coating))
 }
 
 #[test]
@@ -97,4 +108,190 @@ fn what_cannot_be_laid_is_refused_in_one_sentence() {
         assert_eq!((found.code, found.out.as_str()), (code, ""), "{more:?}: {}", found.err);
         assert!(found.err.contains(part) && found.err.starts_with("error: "), "{more:?}: {}", found.err);
     }
+}
+
+/// All lengths in mm of a layer of a report.
+fn in_mm(layer: &serde_json::Value, name: &str) -> f64 {
+    number(&layer["si"], name) * 1e3
+}
+
+/// Strands of layers: no two polylines of a file come nearer than their radii, wires of a layer, wires of two layers and the king wire alike,
+/// and what is said to touch does.
+#[test]
+fn wires_of_layers_are_clear_of_each_other_and_of_all_below() {
+    let core_strand = concat!(env!("CARGO_TARGET_TMPDIR"), "/core-strand.toml");
+    let text = r#"
+        [[layer]]
+        wires = 14
+        wire_diameter = "1.6 mm"
+        lay_length = "95 mm"
+        hand = "right"
+        [core.strand.core]
+        diameter = "2.1 mm"
+        [[core.strand.layer]]
+        wires = 6
+        wire_diameter = "2 mm"
+        lay_length = "60 mm"
+        hand = "left"
+    "#;
+    fs::write(core_strand, text).unwrap();
+    for (file, more, coating) in [
+        ("examples/strand-7-wire.toml", &[][..], 0.0),
+        ("examples/strand-7-wire.toml", &["--element-type", "B32", "--elements-per-pitch", "9"], 0.0),
+        ("examples/spiral-strand-1x19.toml", &[], 0.0),
+        ("examples/spiral-strand-1x19.toml", &["--coating", "0.05 mm", "--stagger", "0.3"], 0.05),
+        ("examples/spiral-strand-1x19.toml", &["--any-stagger", "--elements-per-pitch", "11"], 0.0),
+        ("examples/mooring-spiral-strand.toml", &["--elements-per-pitch", "12"], 0.0),
+        (core_strand, &[], 0.0),
+    ] {
+        let arguments = [&["nodes", file, "--lay-lengths", "1.5"], more].concat();
+        let report = json(&[&arguments[..], &["--json"]].concat());
+        assert_eq!(report["clear"], true, "{arguments:?}");
+        let layers = report["layers"].as_array().unwrap();
+        let wires = wires(&arguments);
+        let core: Vec<&Row> = wires.iter().filter(|(name, ..)| name == "core").collect();
+        let mut below = core.clone();
+        for (at, layer) in layers.iter().enumerate() {
+            let prefix = format!("layer{}-", at + 1);
+            let own: Vec<&Row> = wires.iter().filter(|(name, ..)| name.starts_with(&prefix)).collect();
+            near(f64::from(u32::try_from(own.len()).unwrap()), number(layer, "strands"), 0.0);
+            // one of two neighbours is nearest: staggered nodes close round the ply with a step of their own
+            let stated = in_mm(layer, "gap");
+            let within = gap(&own, coating);
+            assert!(within > -1e-9, "{arguments:?}: {within}");
+            if !more.contains(&"--stagger") && !more.contains(&"--any-stagger") {
+                assert!((within - stated).abs() < 1e-9, "{arguments:?}: {within} {stated}");
+            }
+            let to_below = own.iter().flat_map(|own| below.iter().map(|below| gap(&[own, below], coating)));
+            let to_below = to_below.fold(f64::INFINITY, f64::min);
+            let stated = in_mm(layer, "core_gap");
+            assert!(stated > -1e-9 && to_below > stated - 1e-9, "{arguments:?}: {to_below} {stated}");
+            if at == 0 {
+                assert!((to_below - stated).abs() < 1e-9, "{arguments:?}: {to_below} {stated}");
+            }
+            // it is no wider than its neighbours or what is below make it
+            assert!(stated < 1e-9 || in_mm(layer, "gap") < 1e-9, "{arguments:?}");
+            // laid at the lay length of the file, on a radius that is a chord's height greater
+            let (laid, taken) = (in_mm(layer, "laid_helix_radius"), in_mm(layer, "helix_radius"));
+            assert!(taken > laid && taken < 1.1 * laid + coating * 4.0);
+            below.extend(own);
+        }
+        assert!(wires.iter().all(|(.., nodes)| nodes.len() == wires[0].2.len()));
+        if !more.contains(&"--stagger") {
+            let level = |k: usize| wires.iter().all(|(.., nodes)| (nodes[k][2] - wires[0].2[k][2]).abs() < 1e-9);
+            assert!((0..wires[0].2.len()).all(level), "{arguments:?}");
+        }
+    }
+}
+
+#[test]
+fn layers_keep_the_lay_lengths_of_their_file() {
+    let report = json(&["nodes", "examples/spiral-strand-1x19.toml", "--json"]);
+    let layers = report["layers"].as_array().unwrap();
+    for (layer, [lay_length, elements, hand]) in layers.iter().zip([[60.0, 24.0, -1.0], [110.0, 44.0, 1.0]]) {
+        near(in_mm(layer, "lay_length"), lay_length, 1e-12);
+        near(number(layer, "elements_per_lay_length"), elements, 1e-12);
+        near(number(layer, "handedness"), hand, 0.0);
+    }
+    for (more, part) in
+        [(&["--core", "1 mm"], "stands in its description"), (&["--lay-radius", "2 mm"], "radius of its own")]
+    {
+        let found = call(&[&["nodes", "examples/spiral-strand-1x19.toml"][..], more].concat());
+        assert!(found.code == 2 && found.err.contains(part), "{}", found.err);
+    }
+}
+
+/// Where wires carry each other off the core, that is said.
+#[test]
+fn a_king_wire_that_is_loose_is_said_to_be() {
+    let said = out(&STRAND);
+    assert!(said.contains("The wires carry each other and do not reach the core: their elements stand 0.0"), "{said}");
+    let held = ["nodes", "--strands", "6", "--diameter", "4.2 mm", "--core", "2.15 mm", "--lay-length", "177.8 mm"];
+    assert!(!out(&held).contains("do not reach"));
+}
+
+/// Every field of the files for finite elements: CalculiX reads twenty characters of one and cuts off the rest, exponents too.
+#[test]
+fn no_field_of_an_input_file_is_longer_than_twenty_characters() {
+    let strand = "examples/strand-7-wire.toml";
+    let spiral = "examples/spiral-strand-1x19.toml";
+    let bare = [
+        "nodes",
+        "--strands",
+        "6",
+        "--diameter",
+        "4.2 mm",
+        "--core",
+        "2.15 mm",
+        "--lay-length",
+        "177.8 mm",
+        "--hand",
+        "S",
+    ];
+    for arguments in [
+        &bare[..],
+        &["nodes", strand],
+        &["nodes", spiral, "--element-type", "B32"],
+        &["nodes", spiral, "--unit", "m"],
+        &["nodes", spiral, "--unit", "nm"],
+        &["mesh", spiral, "--centrelines"],
+        &["mesh", "examples/rope-6x7.toml", "--centrelines", "--elements-per-pitch", "96"],
+        &["mesh", "examples/dna-supercoil.toml", "--centrelines", "--unit", "m"],
+    ] {
+        let written = |format| out(&[arguments, &["--format", format]].concat());
+        let (inp, csv) = (written("inp"), written("csv"));
+        let exact = csv.lines().skip(1).map(|row| {
+            let cells: Vec<f64> = row.split(',').skip(3).take(3).map(|cell| cell.parse().unwrap()).collect();
+            [cells[0], cells[1], cells[2]]
+        });
+        let exact: Vec<[f64; 3]> = exact.collect();
+        let greatest = exact.as_flattened().iter().fold(0.0, |all: f64, x| all.max(x.abs()));
+        let (mut place, mut nodes) = ("", exact.iter());
+        for line in inp.lines().skip(2) {
+            if line.starts_with('*') {
+                place = line;
+                continue;
+            }
+            let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+            assert!(fields.iter().all(|field| field.len() <= 20), "{arguments:?}: {line}");
+            if place == "*NODE" {
+                // what is left out is less than the last digit of the greatest, and noughts are noughts
+                for (field, exact) in fields[1..].iter().zip(nodes.next().unwrap()) {
+                    let read: f64 = field.parse().unwrap();
+                    assert!((read - exact).abs() <= 2e-12 * greatest, "{arguments:?}: {line}");
+                    assert!(read == 0.0 || read.abs() > 1e-16 * greatest, "{arguments:?}: {line}");
+                }
+            }
+        }
+        assert!(nodes.next().is_none() && !inp.contains("radius 2.1500000000000004"));
+    }
+}
+
+/// Elements of three nodes: the middle one on the helix, as the ends are, so that as many elements lose a quarter to chords.
+#[test]
+fn quadratic_elements_have_their_middle_nodes_on_the_helix() {
+    let quadratic = [&STRAND[..], &["--element-type", "b32"]].concat();
+    let [straight, curved] = [&STRAND[..], &quadratic].map(|it| json(&[it, &["--json"]].concat()));
+    let doubled = json(&[&STRAND[..], &["--elements-per-pitch", "48", "--json"]].concat());
+    assert_eq!((&curved["element_type"], &straight["element_type"]), (&"B32".into(), &"B31".into()));
+    assert_eq!(curved["elements_per_lay_length"], 24);
+    near(number(&curved, "helix_radius"), number(&doubled, "helix_radius"), 1e-15);
+    let to_core = |report| number(report, "core_chord_share") / number(report, "helix_radius");
+    near(to_core(&straight) / to_core(&curved), 4.0, 0.02);
+    let radius = number(&curved, "helix_radius");
+    let rows = wires(&quadratic);
+    assert!(rows.iter().all(|(name, _, nodes)| {
+        let on = if name == "core" { 0.0 } else { radius };
+        nodes.len() == 2 * 72 + 1 && nodes.iter().all(|[x, y, _]| ((x * x + y * y).sqrt() - on).abs() < 1e-12)
+    }));
+    let inp = out(&[&quadratic[..], &["--format", "inp"]].concat());
+    let mut lines = inp.lines().skip_while(|line| *line != "*ELEMENT, TYPE=B32, ELSET=STRAND-2");
+    assert_eq!(lines.nth(1), Some("73, 146, 147, 148"));
+    assert_eq!(lines.next(), Some("74, 148, 149, 150"));
+    let mesh = ["mesh", "--strands", "3", "--helical-angle", "20 deg", "--centrelines", "--lay-lengths", "1"];
+    let inp = out(&[&mesh[..], &["--elements-per-pitch", "4", "--element-type", "B32", "--format", "inp"]].concat());
+    assert!(
+        inp.contains("*ELEMENT, TYPE=B32, ELSET=STRAND-1\n1, 1, 2, 3\n2, 3, 4, 5\n3, 5, 6, 7\n4, 7, 8, 9\n**"),
+        "{inp}"
+    );
 }

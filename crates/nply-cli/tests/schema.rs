@@ -192,6 +192,7 @@ fn every_report_is_valid_and_has_no_name_that_its_schema_has_not() {
         ],
         &["nodes", "--strands", "6", "--hand", "Z", "--lay-ratio", "8", "--core", "--json"],
         &["nodes", "--strands", "6", "--diameter", "2 mm", "--hand", "S", "--lay-length", "60 mm", "--json"],
+        &["nodes", "examples/spiral-strand-1x19.toml", "--element-type", "B32", "--json"],
         &["contact", "--strands", "1", "--diameter", "2 mm", "--json"],
         &["locus", "examples/three-ply-yarn.toml", "--json"],
         &["solve", "examples/three-ply-yarn.toml", "--strand-length", "1 m", "--json"],

@@ -2,8 +2,8 @@
 
 use nply::geometry::{Ends, Fit};
 use nply_sheet::mesh::{
-    Assembly, Chain, FileUnit, Fineness, Layered, LineFormat, Spacing, StartGeometry, StartWanted, Subject, Surface,
-    SurfaceFormat, Wanted, chain_summary, chains, surface_summary,
+    Assembly, Chain, Element, FileUnit, Fineness, Layered, LineFormat, Spacing, StartGeometry, StartWanted, Subject,
+    Surface, SurfaceFormat, Wanted, chain_summary, chains, surface_summary,
 };
 use nply_sheet::render::{Ground, Picture, View};
 use nply_sheet::{Dimension, ErrorKind, Place, Quantity, SpecError};
@@ -292,12 +292,18 @@ pub fn centrelines(
     data: Option<&Bound<'_, PyDict>>,
     shown: Shown,
     per_lay_length: Option<u32>,
+    element_type: &str,
     unit: Option<String>,
 ) -> PyResult<Chains> {
+    let element = element(element_type)?;
     let (ply, assembly) = shown.shape(py, document, data)?;
-    let chains = alone(py, || chains(&ply, &assembly, Spacing { per_lay_length }))?;
+    let chains = alone(py, || chains(&ply, &assembly, Spacing { per_lay_length, element }))?;
     let chains = chains.map_err(|refused| error::of_spec(&refused, None))?;
     Chains::of(assembly.title, ply, chains, unit)
+}
+
+fn element(name: &str) -> PyResult<Element> {
+    word("the element type", name, &Element::ALL.map(|element| (element.name(), element)))
 }
 
 /// What is asked of nodes for finite elements.
@@ -305,6 +311,7 @@ pub fn centrelines(
 #[pyo3(from_item_all)]
 pub struct Start {
     elements_per_pitch: Option<u32>,
+    element_type: String,
     coating: Option<Said>,
     core: Option<Said>,
     stagger: Option<f64>,
@@ -336,16 +343,9 @@ pub fn nodes(
     unit: Option<String>,
 ) -> PyResult<(Answer, Chains)> {
     let input = document::described(document, data)?;
-    let spec = match &input.spec {
-        Described::Ply(spec) => spec,
-        Described::Layered(strand) => {
-            let message = "this describes a layered strand, and clear elements are found for plies of one layer: `centrelines` gives \
-                           the nodes of all its wires, and `clearance` says how near their elements come";
-            return Err(input.refused(&strand.not_taken(message)));
-        }
-    };
     let wanted = StartWanted {
         elements: start.elements_per_pitch,
+        element: element(&start.element_type)?,
         coating: text(start.coating.as_ref()),
         core: text(start.core.as_ref()),
         stagger: start.stagger,
@@ -354,11 +354,14 @@ pub fn nodes(
         length: text(start.length.as_ref()),
         lay_lengths: start.lay_lengths,
     };
-    let found = alone(py, || StartGeometry::of(spec, &wanted))?.map_err(|refused| input.refused(&refused))?;
+    let find = || match &input.spec {
+        Described::Ply(spec) => StartGeometry::of(spec, &wanted),
+        Described::Layered(strand) => StartGeometry::of_layers(strand, &wanted),
+    };
+    let found = alone(py, find)?.map_err(|refused| input.refused(&refused))?;
     let chains = alone(py, || found.chains())?.map_err(|refused| input.refused(&refused))?;
     let ply = found.ply().clone();
-    let title = format!("{} wires of straight elements", ply.strands);
-    let chains = Chains::of(title, ply, chains, unit)?;
+    let chains = Chains::of(found.title(), ply, chains, unit)?;
     Ok((Answer::of(Started(found, chains.shown.clone())), chains))
 }
 

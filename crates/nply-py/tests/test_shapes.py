@@ -67,7 +67,13 @@ def test_nodes_of_elements_do_not_overlap(root: Path) -> None:
     apart = nply.clearance(wires, 2.0)
     assert abs(apart.clearance) < 1e-12 and apart.overlapping_pairs == 0
     assert found.centrelines[0].radius == 1.0 and found.centrelines.unit == "r"
-    with pytest.raises(nply.SpecError, match="layered strand"):
+    layered = nply.nodes(root / "examples" / "spiral-strand-1x19.toml", element_type="B32", lay_lengths=1)
+    assert layered.clear is True and len(layered.layers) == 2 and len(layered.centrelines) == 19
+    wires = [wire.points for wire in layered.centrelines]
+    apart = nply.clearance(wires, [2 * wire.radius for wire in layered.centrelines])
+    assert apart.overlapping_pairs == 0 and apart.clearance < 1e-12
+    assert len(wires[0]) == 2 * (len(nply.centrelines(root / "examples" / "spiral-strand-1x19.toml", elements_per_pitch=44)[18].points) - 1) + 1
+    with pytest.raises(nply.SpecError, match="describes a rope"):
         nply.nodes(root / "examples" / "rope-6x7.toml")
 
 

@@ -67,7 +67,8 @@ fn every_wire_is_one_closed_body_of_its_volume() {
 fn rods_lie_beside_each_other() {
     for example in ["spiral-strand-1x19", "conductor-cardinal", "rope-6x7"] {
         let (strand, assembly) = laid(example);
-        let nodes = chains(strand.subject(), &assembly, Spacing { per_lay_length: Some(96) }).unwrap();
+        let nodes =
+            chains(strand.subject(), &assembly, Spacing { per_lay_length: Some(96), ..Spacing::default() }).unwrap();
         let rod = |chain: &Chain| match chain.name.split_once("-wire").or_else(|| chain.name.split_once("-core")) {
             Some((rod, _)) if rod.contains("strand") => rod.to_owned(),
             _ => chain.name.clone(),

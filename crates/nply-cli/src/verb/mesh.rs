@@ -7,8 +7,8 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply::geometry::{Ends, Fit};
 use nply_sheet::mesh::{
-    Assembly, FileUnit, Fineness, Layered, LineFormat, Spacing, Subject, Surface, SurfaceFormat, Wanted, chain_summary,
-    chains, surface_summary,
+    Assembly, Element, FileUnit, Fineness, Layered, LineFormat, Spacing, Subject, Surface, SurfaceFormat, Wanted,
+    chain_summary, chains, surface_summary,
 };
 use nply_sheet::{ErrorKind, Place, SpecError};
 
@@ -138,6 +138,24 @@ fn arguments(command: Command) -> Command {
         .arg(
             count("elements-per-pitch", "Elements per lay length of a centreline (48)", FACETS).requires("centrelines"),
         )
+        .arg(element_type().requires("centrelines"))
+}
+
+/// Which beams are written.
+pub(super) fn element_type() -> Arg {
+    Arg::new("element-type")
+        .long("element-type")
+        .value_name("TYPE")
+        .ignore_case(true)
+        .value_parser(PossibleValuesParser::new(Element::ALL.map(Element::name)))
+        .help("Beams of two nodes (B31, what is taken: Abaqus) or of three, the middle one on the helix (B32: Abaqus and CalculiX)")
+}
+
+/// The beams that are chosen.
+pub(super) fn element(arguments: &ArgMatches) -> Element {
+    let said = text(arguments, "element-type");
+    let known = |name: &str| Element::ALL.into_iter().find(|element| element.name().eq_ignore_ascii_case(name));
+    said.and_then(known).unwrap_or_default()
 }
 
 /// What a flag's text is.
@@ -266,7 +284,8 @@ fn made(arguments: &ArgMatches, input: &Input<Described>) -> Result<(Vec<u8>, bo
         LineFormat::ALL.into_iter().find(|known| lines && known.extension().eq_ignore_ascii_case(format))
     {
         let unit = unit(format.own_unit())?;
-        let spacing = Spacing { per_lay_length: arguments.get_one::<u32>("elements-per-pitch").copied() };
+        let per_lay_length = arguments.get_one::<u32>("elements-per-pitch").copied();
+        let spacing = Spacing { per_lay_length, element: element(arguments) };
         let chains = chains(&ply, &assembly, spacing)?;
         let bytes = format.write(&assembly.title, &chains, &unit)?;
         return Ok((bytes, false, chain_summary(&ply, &chains, &unit)));

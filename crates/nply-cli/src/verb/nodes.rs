@@ -5,7 +5,7 @@ use nply_sheet::mesh::{FileUnit, LineFormat, StartGeometry, StartWanted};
 use nply_sheet::{Key, SpecError, Table};
 
 use super::Verb;
-use super::mesh::{deliver, format, text};
+use super::mesh::{deliver, element, element_type, format, text};
 use crate::arguments::{count, json, with_keys};
 use crate::failure::Failure;
 use crate::input::{self, Described, Input};
@@ -37,6 +37,7 @@ fn arguments(command: Command) -> Command {
     };
     with_keys(command, wanted)
         .arg(count("elements-per-pitch", "Elements per lay length (24)", MOST))
+        .arg(element_type())
         .arg(text("coating", "LENGTH", "Thickness of a coating on every wire"))
         .arg(
             text("core", "RADIUS", "A core wire along the axis; without a radius, one as thick as the others")
@@ -75,16 +76,7 @@ fn arguments(command: Command) -> Command {
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
-    let Input { spec, text } = input::read_described(arguments)?;
-    let spec = match spec {
-        Described::Ply(spec) => spec,
-        Described::Layered(strand) => {
-            let message = "this describes a layered strand, and clear elements are found for plies of one layer: `nply mesh FILE \
-                           --centrelines` writes the nodes of all its wires, and `nply clearance` says how near their elements come";
-            return Err(Failure::Refused(strand.not_taken(message), text));
-        }
-    };
-    let input = Input { spec, text };
+    let input = input::read_described(arguments)?;
     let (start, file, unit) = made(arguments, &input).map_err(|error| input.refused(error))?;
     let report = if arguments.get_flag("json") { start.json() } else { start.text(&unit) };
     match file {
@@ -94,9 +86,13 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
 }
 
 /// The lay that is found, its nodes as a file if one is wanted, and the unit a person reads.
-fn made(arguments: &ArgMatches, input: &Input) -> Result<(StartGeometry, Option<Vec<u8>>, FileUnit), SpecError> {
+fn made(
+    arguments: &ArgMatches,
+    input: &Input<Described>,
+) -> Result<(StartGeometry, Option<Vec<u8>>, FileUnit), SpecError> {
     let wanted = StartWanted {
         elements: arguments.get_one::<u32>("elements-per-pitch").copied(),
+        element: element(arguments),
         coating: text(arguments, "coating"),
         core: text(arguments, "core"),
         stagger: arguments.get_one::<f64>("stagger").copied(),
@@ -105,7 +101,10 @@ fn made(arguments: &ArgMatches, input: &Input) -> Result<(StartGeometry, Option<
         length: text(arguments, "length"),
         lay_lengths: arguments.get_one::<f64>("lay-lengths").copied(),
     };
-    let start = StartGeometry::of(&input.spec, &wanted)?;
+    let start = match &input.spec {
+        Described::Ply(spec) => StartGeometry::of(spec, &wanted)?,
+        Described::Layered(strand) => StartGeometry::of_layers(strand, &wanted)?,
+    };
     let said = text(arguments, "unit");
     let unit = FileUnit::of(start.ply(), said, None)?;
     if text(arguments, "output").is_none() && text(arguments, "format").is_none() {
@@ -115,7 +114,6 @@ fn made(arguments: &ArgMatches, input: &Input) -> Result<(StartGeometry, Option<
     let found = LineFormat::ALL.into_iter().find(|known| known.extension().eq_ignore_ascii_case(format));
     let format = found.unwrap_or(LineFormat::Csv);
     let own = FileUnit::of(start.ply(), said, format.own_unit())?;
-    let title = format!("{} wires of straight elements", start.ply().strands);
-    let bytes = format.write(&title, &start.chains()?, &own)?;
+    let bytes = format.write(&start.title(), &start.chains()?, &own)?;
     Ok((start, Some(bytes), unit))
 }

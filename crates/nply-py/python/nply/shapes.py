@@ -118,7 +118,7 @@ class Centrelines(Sequence[Centreline]):
         return self._chains.write(format)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a file: CSV, XYZ, PDB, VTP or INP (Abaqus), by the end of its name."""
+        """Writes a file: CSV, XYZ, PDB, VTP or INP (Abaqus, CalculiX), by the end of its name."""
         write_whole(path, self._chains.write(Path(path).suffix.lower().removeprefix(".")))
 
     def __repr__(self) -> str:
@@ -200,6 +200,7 @@ def centrelines(
     lay_lengths: float | None = None,
     core: Length | bool | None = None,
     elements_per_pitch: int | None = None,
+    element_type: Literal["B31", "B32"] = "B31",
     unit: str | None = None,
     **data: Unpack[Data],
 ) -> Centrelines:
@@ -208,6 +209,7 @@ def centrelines(
     Args:
         document, state, length, lay_lengths, core, unit: as for :func:`mesh`.
         elements_per_pitch: elements per lay length of a centreline; 48 if absent.
+        element_type: beams of two nodes, or of three ("B32") with the middle one on the centreline too.
         **data: single data.
 
     Returns:
@@ -219,7 +221,7 @@ def centrelines(
     (3, (33, 3))
     """
     shown = _shown(state, length, lay_lengths, core, 0, False, (), "flush")
-    return Centrelines(_nply.centrelines(document, dict(data), shown, elements_per_pitch, unit))
+    return Centrelines(_nply.centrelines(document, dict(data), shown, elements_per_pitch, element_type, unit))
 
 
 def nodes(
@@ -227,6 +229,7 @@ def nodes(
     /,
     *,
     elements_per_pitch: int | None = None,
+    element_type: Literal["B31", "B32"] = "B31",
     coating: Length | None = None,
     core: Length | bool | None = None,
     stagger: float | None = None,
@@ -240,8 +243,10 @@ def nodes(
     """Start geometry of straight elements that do not overlap, for finite elements (``nply nodes``).
 
     Args:
-        document: number, size and lay of the wires, see :mod:`nply.shapes`.
-        elements_per_pitch: elements per lay length; 24 if absent.
+        document: number, size and lay of the wires, see :mod:`nply.shapes`; or a strand of a core and layers of wires, of which each layer
+            is kept clear of what is below it, too.
+        elements_per_pitch: elements per lay length, of layers per that of the layer with the shortest; 24 if absent.
+        element_type: beams of two nodes, or of three ("B32") with the middle one on the helix too; what is clear are the chords between nodes.
         coating: thickness of a coating on every wire.
         core: a core wire of this radius along the axis; True: one as thick as the others.
         stagger: how many elements farther along each wire's nodes stand than those of the one before.
@@ -252,7 +257,8 @@ def nodes(
         **data: single data.
 
     Returns:
-        :class:`Nodes`: a report with ``helix_radius``, ``gap``, ``chord_share``, ``clear``, and the nodes as ``centrelines``.
+        :class:`Nodes`: a report with ``helix_radius``, ``gap``, ``chord_share``, ``clear``, and the nodes as ``centrelines``; of a strand of
+        layers with these numbers for each of its ``layers``.
 
     >>> import nply
     >>> found = nply.nodes(strands=6, helical_angle="17.44 deg", core=True)
@@ -263,6 +269,7 @@ def nodes(
         raise ValueError("stagger and any_stagger exclude each other: give one of them")
     start = {
         "elements_per_pitch": elements_per_pitch,
+        "element_type": element_type,
         "coating": coating,
         "core": _core(core),
         "stagger": stagger,

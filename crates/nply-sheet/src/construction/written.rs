@@ -309,7 +309,7 @@ impl ConstructionSpec {
     }
 
     /// See [`Construction::locate`](super::Construction::locate).
-    pub(super) fn locate(&self, layer: usize, error: &DomainError) -> SpecError {
+    pub(crate) fn locate(&self, layer: usize, error: &DomainError) -> SpecError {
         let DomainError { quantity, value, allowed } = *error;
         let entries = self.layers.get(layer).map_or(&[][..], |part| &part.entries);
         let named = |datum| entries.iter().chain(&self.head).find(|entry| entry.key.datum == datum);

@@ -2,8 +2,8 @@
 
 use nply::geometry::{Course, Vector};
 
-use super::Assembly;
 use super::subject::{Subject, flag};
+use super::{Assembly, Element};
 use crate::{ErrorKind, SpecError};
 
 /// The nodes of one centreline.
@@ -21,6 +21,8 @@ pub struct Chain {
     pub tangents: Vec<Vector>,
     /// Arclengths of the centreline at the nodes, in units of r.
     pub arclengths: Vec<f64>,
+    /// The beams between the nodes: of one chord each, or of two.
+    pub element: Element,
 }
 
 /// How far apart nodes stand.
@@ -28,6 +30,8 @@ pub struct Chain {
 pub struct Spacing {
     /// Elements per lay length: 48, if nothing is said.
     pub per_lay_length: Option<u32>,
+    /// Of how many nodes they are.
+    pub element: Element,
 }
 
 /// More nodes than this are refused.
@@ -43,7 +47,7 @@ const MOST_NODES: f64 = 20_000_000.0;
 /// use nply_sheet::mesh::{Assembly, Spacing, Subject, Wanted, chains};
 /// let ply = Subject::of(&Spec::from_flags([("strands", "3"), ("helical-angle", "20 deg")])?, None)?;
 /// let assembly = Assembly::of(&ply, &Wanted { lay_lengths: Some(2.0), ..Wanted::default() })?;
-/// let chains = chains(&ply, &assembly, Spacing { per_lay_length: Some(16) })?;
+/// let chains = chains(&ply, &assembly, Spacing { per_lay_length: Some(16), ..Spacing::default() })?;
 /// assert_eq!((chains.len(), chains[0].points.len()), (3, 33));
 /// # Ok::<(), nply_sheet::SpecError>(())
 /// ```
@@ -60,7 +64,8 @@ pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Ve
         if ply.layers.is_empty() { turns } else { turns.max(own) }
     });
     let counts: Vec<f64> = most.map(|turns| libm::ceil(turns * per - 1e-9).max(1.0)).collect();
-    if counts.iter().sum::<f64>() > MOST_NODES {
+    let chords = spacing.element.chords();
+    if counts.iter().sum::<f64>() * f64::from(chords) > MOST_NODES {
         let message = format!("more than {MOST_NODES} nodes would be needed: give a shorter length, or fewer elements");
         return Err(flag("elements-per-pitch", ErrorKind::Domain, message));
     }
@@ -71,7 +76,7 @@ pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Ve
         .zip(counts)
         .map(|(wire, elements)| {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held below twenty million")]
-            let elements = elements as u32;
+            let elements = elements as u32 * chords;
             let [start, end] = wire.tube.parameters();
             let at = |k: u32| start + (end - start) * f64::from(k) / f64::from(elements);
             let places = (0..=elements).map(|k| wire.tube.course().place(at(k)));
@@ -84,6 +89,7 @@ pub fn chains(ply: &Subject, assembly: &Assembly, spacing: Spacing) -> Result<Ve
                 points: places.clone().map(|place| place.position).collect(),
                 tangents: places.map(|place| place.tangent).collect(),
                 arclengths: arclengths(wire.tube.course(), (0..=elements).map(at)),
+                element: spacing.element,
             }
         })
         .collect())

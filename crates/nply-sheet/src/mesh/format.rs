@@ -89,7 +89,7 @@ pub enum LineFormat {
     Pdb,
     /// VTK's XML for polygons and lines.
     Vtp,
-    /// Abaqus' nodes and beam elements (B31), with a set of elements for each wire.
+    /// Abaqus' and CalculiX' nodes and beam elements, with a set of elements for each wire.
     Inp,
 }
 

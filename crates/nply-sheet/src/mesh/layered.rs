@@ -146,10 +146,31 @@ impl Layered {
         Ok(Assembly { title: self.subject.title.clone(), wires, lines })
     }
 
-    fn unit(&self) -> f64 {
+    /// The core along the axis and all layers of wires about it, those of a strand that is the core among them; none of a rope, some of whose
+    /// wires are no helices.
+    pub(super) fn wires_about_the_axis(&self) -> Result<Option<AboutTheAxis>, SpecError> {
+        let mut outer: Vec<_> = self.layers.iter().map(|laid| (laid.layer, laid.hand)).collect();
+        let mut is_rope = self.layers.iter().any(|laid| laid.strand.is_some());
+        let mut core = self.core.clone();
+        while let Some(strand) = core.as_ref().and_then(|core| core.strand.clone()) {
+            let Strand { layers, .. } = within(&strand)?;
+            is_rope |= layers.iter().any(|(.., rod)| rod.is_some());
+            let layers = layers.iter().map(|(layer, hand, _)| (*layer, *hand));
+            outer.splice(0..0, layers);
+            core = strand.core.clone();
+        }
+        let radius = core.map(|core| 0.5 * core.diameter / self.unit());
+        Ok((!is_rope).then_some((radius, outer)))
+    }
+
+    /// r, the radius of the outermost wires, in the construction's unit.
+    pub(super) fn unit(&self) -> f64 {
         self.subject.strand_radius.unwrap_or(self.subject.bare_radius)
     }
 }
+
+/// A core's radius in units of r, and layers from the inside.
+type AboutTheAxis = (Option<f64>, Vec<(WireLayer, Handedness)>);
 
 const TOO_DEEP: &str =
     "the wires of strands in strands of a rope are helices wound three times, and these are not drawn";

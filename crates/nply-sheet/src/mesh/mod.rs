@@ -16,6 +16,7 @@
 mod abaqus;
 mod assembly;
 mod chain;
+mod element;
 mod format;
 mod glb;
 mod layered;
@@ -33,6 +34,7 @@ mod xyz;
 
 pub use assembly::{Assembly, CORE_COLOUR, Line, LineKind, Wanted, Wire};
 pub use chain::{Chain, Spacing, chains};
+pub use element::Element;
 pub use format::{LineFormat, SurfaceFormat};
 pub use layered::Layered;
 pub use size::FileUnit;

@@ -72,10 +72,11 @@ pub fn surface_summary(ply: &Subject, surface: &Surface<'_>, unit: &FileUnit) ->
 pub fn chain_summary(ply: &Subject, chains: &[Chain], unit: &FileUnit) -> String {
     let mut out = format!("{}\n\n", headline(ply));
     let nodes: usize = chains.iter().map(|chain| chain.points.len()).sum();
+    let elements: usize = chains.iter().map(|chain| (chain.points.len() - 1) / chain.element.chords() as usize).sum();
     let u = unit_name(unit);
     let rows = [
         ("wires", chains.len().to_string()),
-        ("nodes, elements", format!("{nodes}, {}", nodes - chains.len())),
+        ("nodes, elements", format!("{nodes}, {elements}")),
         (
             if ply.layers.is_empty() { "strand radius" } else { "radius of the outermost wires" },
             format!("{} {u}", six_digits(unit.per_radius)),

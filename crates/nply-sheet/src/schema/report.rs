@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::meaning;
 use super::node::{Object, flag, list, number, or_null, text, tuple, whole, words};
+use crate::mesh::Element;
 use crate::report::listed::{self, Named, Of, Sized};
 use crate::report::{Known, Measure, header};
 
@@ -590,8 +591,34 @@ pub(super) fn clearance() -> Value {
 
 /// `nply nodes`.
 pub(super) fn nodes() -> Value {
+    kinds([
+        ("of a ply", of_all_elements(layer_of_elements(report("Start geometry of straight elements"))).open()),
+        (
+            "of a strand of layers",
+            of_all_elements(report("Start geometry of straight elements, layer by layer"))
+                .with(
+                    "elements_per_shortest_lay_length",
+                    whole("How many elements the layer with the shortest lay length has to one", 2),
+                )
+                .with("layers", list("From the inside", layer_of_elements(Object::new("A layer")).open()))
+                .open(),
+        ),
+    ])
+}
+
+/// What holds for every wire.
+fn of_all_elements(object: Object) -> Object {
+    object
+        .with("stagger", or_null(number("By how many elements each wire stands farther along; none: any", "")))
+        .with("element_type", words("Beams of two nodes or of three", Element::ALL.map(Element::name)))
+        .with("clear", flag("Whether the elements are as far apart as is wanted"))
+}
+
+/// A layer of straight elements.
+fn layer_of_elements(object: Object) -> Object {
     let lengths = [
         ("helix_radius", "helix radius", true),
+        ("laid_helix_radius", "helix radius of the wires of a layer as they are laid", false),
         ("lay_length", "lay length", true),
         ("wanted_distance", "distance that is wanted: diameter and coatings", true),
         ("smooth_distance", "least distance of the helices", true),
@@ -599,27 +626,25 @@ pub(super) fn nodes() -> Value {
         ("geometric_gap", "gap of the helices", true),
         ("chord_share", "of this lost to chords", true),
         ("gap", "gap of the elements", true),
-        ("core_radius", "core radius", false),
-        ("core_geometric_gap", "gap of the helices to the core", false),
+        ("core_radius", "radius of the core, or of the layers below over their wires", false),
+        ("core_geometric_gap", "gap of the helices to what is below", false),
         ("core_chord_share", "of this lost to chords", false),
-        ("core_gap", "gap of the elements to the core", false),
+        ("core_gap", "gap of the elements to what is below, wherever their nodes stand", false),
         ("least_helix_radius", "least helix radius that clears", false),
         ("any_stagger_helix_radius", "least helix radius, nodes at any stagger", true),
     ];
-    let mut top = report("Start geometry of straight elements")
+    let mut layer = object
         .with("strands", whole("n", 2))
         .with("handedness", json!({ "enum": [1, -1], "description": "1 right-handed (Z), −1 left-handed (S)" }))
         .with("elements_per_lay_length", number("How many straight elements a lay length has", ""))
-        .with("helical_angle_deg", number("θ", "deg"))
-        .with("stagger", or_null(number("By how many elements each wire stands farther along; none: any", "")))
-        .with("clear", flag("Whether the elements are as far apart as is wanted"));
+        .with("helical_angle_deg", number("θ", "deg"));
     let mut si = Object::new("The same in m, where r is known");
     for (name, meaning, always) in lengths {
         let schema = number(meaning, "r");
-        top = if always { top.with(name, schema) } else { top.may(name, schema) };
+        layer = if always { layer.with(name, schema) } else { layer.may(name, schema) };
         si = si.may(name, number(meaning, "m"));
     }
-    top.may("si", si.open()).open()
+    layer.may("si", si.open())
 }
 
 /// `nply fit`.

@@ -23,7 +23,7 @@ use crate::DomainError;
 pub struct Chords {
     strands: u32,
     angle: HelicalAngle,
-    elements: u32,
+    elements: f64,
 }
 
 /// The narrowest lay in which strands of straight elements keep clear of each other. Lengths in units of r.
@@ -43,17 +43,18 @@ pub struct ChordLay {
 const FARTHEST: u32 = 24;
 
 impl Chords {
-    /// From the number of strands n ≥ 2, their angle, and the elements per lay length.
+    /// From the number of strands n ≥ 2, their angle, and the elements per lay length, which need not be whole.
     ///
     /// # Errors
     /// [`DomainError`] on `strands`, on `helical_angle` for straight strands, which have no lay length, and on `elements` unless there are 3
     /// to a million.
-    pub fn new(strands: u32, angle: HelicalAngle, elements: u32) -> Result<Self, DomainError> {
+    pub fn new(strands: u32, angle: HelicalAngle, elements: impl Into<f64>) -> Result<Self, DomainError> {
+        let elements = elements.into();
         check_strands(strands)?;
         let wound = angle.sin() > 0.0;
         DomainError::check(wound, "helical_angle", angle.radians(), "greater than 0: straight strands have no turns")?;
         let allowed = "at least 3 and at most a million for a lay length";
-        DomainError::check((3..=1_000_000).contains(&elements), "elements", f64::from(elements), allowed)?;
+        DomainError::check((3.0..=1e6).contains(&elements), "elements", elements, allowed)?;
         Ok(Self { strands, angle, elements })
     }
 
@@ -71,14 +72,14 @@ impl Chords {
 
     /// Elements per lay length.
     #[must_use]
-    pub const fn elements(&self) -> u32 {
+    pub const fn elements(&self) -> f64 {
         self.elements
     }
 
     /// The height of an element over R: 2π/(N tan θ).
     #[must_use]
     pub fn rise(&self) -> f64 {
-        TAU / (f64::from(self.elements) * self.angle.tan())
+        TAU / (self.elements * self.angle.tan())
     }
 
     /// The node at a count of elements, which need not be whole, of a strand whose helix is turned by an angle; over R.
@@ -86,7 +87,7 @@ impl Chords {
     /// Right-handed; the left-handed ply is its mirror image.
     #[must_use]
     pub fn node(&self, turned: f64, count: f64) -> Vector {
-        let (sin, cos) = libm::sincos(turned + TAU * count / f64::from(self.elements));
+        let (sin, cos) = libm::sincos(turned + TAU * count / self.elements);
         [sin, -cos, count * self.rise()]
     }
 
@@ -125,7 +126,7 @@ impl Chords {
     /// The least distance of a polyline from the ply's axis over R, at the middle of each element: cos(π/N).
     #[must_use]
     pub fn core_distance(&self) -> f64 {
-        libm::cos(PI / f64::from(self.elements))
+        libm::cos(PI / self.elements)
     }
 
     /// The narrowest lay at this angle whose polylines keep the given distance of centrelines (in units of r; 2: uncoated) from each other, and
@@ -169,13 +170,14 @@ impl Chords {
     pub fn narrowest_of_lay_length(
         strands: u32,
         lay_length: f64,
-        elements: u32,
+        elements: impl Into<f64>,
         distance: f64,
         from_core: f64,
         stagger: Option<f64>,
     ) -> Result<ChordLay, DomainError> {
         const SAMPLES: u32 = 240;
         const FLATTEST: f64 = 1e-4; // rad from flat rings
+        let elements = elements.into();
         let allowed = "longer: no lay of this length keeps so many strands clear, in so few elements";
         let none = || DomainError { quantity: "lay_length", value: lay_length, allowed };
         DomainError::check(lay_length > 0.0 && lay_length < f64::INFINITY, "lay_length", lay_length, "greater than 0")?;
