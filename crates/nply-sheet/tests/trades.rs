@@ -39,13 +39,17 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
         ("Ne30", pound_per_hank / 30.0),
         ("NeC 30", pound_per_hank / 30.0),
         ("30Ne", pound_per_hank / 30.0),
+        ("Ne 30/1", pound_per_hank / 30.0),
+        ("Nm 1/40", 1e-3 / 40.0),
     ] {
         near(titre(text), kilograms_per_metre);
     }
     // a yarn of which 590.54 is the constant between tex and Ne in every table of counts
     assert!((titre("Ne 1") * 1e6 - 590.54).abs() < 5e-3);
     for (text, part) in [
-        ("Ne 30/2", "folded count"),
+        ("Ne 30/2", "\"Ne 30\", and 2 strands"),
+        ("Nm 2/28", "\"Nm 28\", and 2 strands"),
+        ("Ne 40/3", "\"Ne 40\", and 3 strands"),
         ("30/2", "folded count"),
         ("Ne 0", "too large"),
         ("Ne", "number"),

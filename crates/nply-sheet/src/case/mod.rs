@@ -67,6 +67,8 @@ pub struct Case {
     pub strand_radius: Option<f64>,
     /// L/r, where the strand length is given.
     pub strand_length: Option<f64>,
+    /// Mass per length of one strand, kg/m, where it is given.
+    pub linear_density: Option<f64>,
     /// Share of a strand's cross-section that is fibre, where its titre gives its size.
     pub packing_fraction: Option<f64>,
     /// The units the input was written in.
@@ -212,6 +214,7 @@ impl Case {
             scale: strand.scale,
             strand_radius: strand.radius,
             strand_length,
+            linear_density: spec.get(Datum::LinearDensity).map(Entry::number),
             packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),
             origins: Origins::of(spec),

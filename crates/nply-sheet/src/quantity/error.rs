@@ -55,6 +55,18 @@ pub enum QuantityError {
         /// What is wrong and what to write.
         reason: &'static str,
     },
+    /// A count of a ply in place of that of one strand.
+    #[error(
+        "{read} is a folded count, that of a ply: give the count of one strand, \"{single}\", and {strands} strands"
+    )]
+    Folded {
+        /// What was read, quoted.
+        read: String,
+        /// The count of one strand.
+        single: String,
+        /// How many there are.
+        strands: u32,
+    },
     /// A quantity of another kind than wanted.
     #[error("{read} is {found}; what is wanted is {wanted}{}", advice(*found))]
     WrongDimension {

@@ -146,7 +146,7 @@ impl Quantity {
     /// per pound) and `Nm 40` or `40 Nm` (km per kg), in tex then.
     ///
     /// # Errors
-    /// [`QuantityError`] as of [`Quantity::parse`]; a folded count such as `30/2` is refused.
+    /// [`QuantityError`] as of [`Quantity::parse`]; a folded count such as `30/2` is refused, but for `30/1`, which is the single's.
     ///
     /// ```
     /// use nply_sheet::Quantity;
@@ -164,17 +164,25 @@ impl Quantity {
             let behind = || read.strip_suffix(name).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
             Some((before.or_else(behind)?.trim(), of_one))
         });
-        // 30/2, with or without the name of its count
-        let whole = |part: &str| part.trim().parse::<u32>().is_ok();
-        let folded = |text: &str| text.split_once('/').is_some_and(|(count, fold)| whole(count) && whole(fold));
-        if count.is_some_and(|(count, _)| count.contains('/')) || folded(read) {
-            return Err(QuantityError::BadUnit {
-                unit: crate::quoted(read),
-                reason: "a folded count is that of a ply; give the count of one strand, as in \"Ne 30\"",
-            });
-        }
+        // 30/2, with or without the name of its count; the metric count has the fold before it, 2/28. Of one, it is the single's
+        let name = ["NeC", "Ne", "Nm"].into_iter().find(|name| count.is_some() && read.contains(name));
+        let parts = count.map_or(read, |(count, _)| count).split_once('/');
+        let count = match parts.map(|(a, b)| (a.trim().parse::<u32>(), b.trim().parse::<u32>())) {
+            Some((Ok(first), Ok(second))) => {
+                let (number, fold) =
+                    if name == Some("Nm") && first < second { (second, first) } else { (first, second) };
+                match (count, fold) {
+                    (Some((_, of_one)), 1) => Some((number.to_string(), of_one)),
+                    (_, strands) => {
+                        let single = format!("{} {number}", name.unwrap_or("Ne"));
+                        return Err(QuantityError::Folded { read: crate::quoted(read), single, strands });
+                    }
+                }
+            }
+            _ => count.map(|(count, of_one)| (count.to_owned(), of_one)),
+        };
         let Some((count, of_one)) = count else { return Self::parse(text) };
-        let Self::Bare(number) = Self::parse(count)? else {
+        let Self::Bare(number) = Self::parse(&count)? else {
             return Err(QuantityError::NotANumber { read: crate::quoted(read) });
         };
         let si = of_one / number;

@@ -42,7 +42,7 @@ pub use measure::{Known, Measure, Reading};
 pub use plying::PlyingReport;
 pub use shape::ShapeReport;
 pub use stiffness::StiffnessReport;
-pub use strings::StringsReport;
+pub use strings::{StringsGoal, StringsReport};
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
 pub use writhe::{WritheQuestion, WritheReport, Writhing};

@@ -659,9 +659,10 @@ pub(super) fn fit() -> Value {
     let estimate = Object::new("A number that was estimated")
         .with("name", text("Which"))
         .with("unit", text("Its unit"))
-        .with("value", number("The estimate", UNIT))
+        .with("value", or_null(number("The estimate; none: not determined", UNIT)))
         .with("standard_error", or_null(number("Its standard error; none: not determined", UNIT)))
-        .with("start", number("Where the search began", UNIT));
+        .with("start", number("Where the search began", UNIT))
+        .with("known_to", or_null(number("The standard error to which the start was known", UNIT)));
     let compared = Object::new("A measured number beside that of the ply")
         .with("name", text("Its column"))
         .with("measured", number("As measured", UNIT))

@@ -1,7 +1,7 @@
 //! What was written, and where: the same from a file as from flags.
 
 pub(crate) mod file;
-mod hand;
+pub(crate) mod hand;
 mod relative;
 pub(crate) mod sweep;
 mod toml_text;
