@@ -212,8 +212,11 @@ impl<const K: usize> Panel<K> {
     /// Either half, fitted anew. Next to 0, where coordinates keep their digits however small they are, a sixteenth and the rest, of which
     /// neither is any deeper: some 120 steps lead to [`NARROWEST`].
     fn halve<B: Basis<K>>(&self, here: &Combination<'_, B, K>, found: &mut impl FnMut(Root), depth: u32) {
-        let (middle, depth) =
-            if self.start == 0.0 { (0.0625 * self.end, DEEPEST - 1) } else { (0.5 * (self.start + self.end), depth - 1) };
+        let (middle, depth) = if self.start == 0.0 {
+            (0.0625 * self.end, DEEPEST - 1)
+        } else {
+            (0.5 * (self.start + self.end), depth - 1)
+        };
         for (start, end) in [(self.start, middle), (middle, self.end)] {
             Self::fit(here.basis, start, end).search_fitted(here, found, depth);
         }
