@@ -186,6 +186,9 @@ fn names_units_and_what_was_left_out_are_said() {
     let beams = read(good[13].0, &good[13].1);
     let said: Vec<_> = beams.curves.iter().map(|curve| (curve.name.as_str(), curve.diameter)).collect();
     assert_eq!(said, [("FIRST", Some(1.0)), ("SECOND", None)]);
+    // twice the greatest radius is no number, and no diameter
+    let text = b"** radius 1e308\n*NODE\n1, 0\n2, 1\n** radius 1e308\n*ELEMENT, TYPE=B31\n1, 1, 2\n";
+    assert_eq!(read("a.inp", text).curves[0].diameter, None);
     let joined = read(good[12].0, &good[12].1);
     assert_eq!(joined.notes, ["2 pieces of two points are joined end to end.", "1 face is left out."]);
     let twice = read("a.csv", b"0,0,0\n1,1,1\n\n0,0,0\n1,1,1\n");

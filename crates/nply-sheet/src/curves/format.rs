@@ -27,7 +27,7 @@ pub enum Format {
 impl Format {
     /// All of them.
     pub const ALL: [Self; 8] =
-        [Self::Rows, Self::Xyz, Self::Pdb, Self::Vtk, Self::VtkXml, Self::Obj, Self::Inp, Self::Npy];
+        [Self::Rows, Self::Xyz, Self::Pdb, Self::Vtk, Self::VtkXml, Self::Obj, Self::Npy, Self::Inp];
 
     /// Its short name: `csv`, `xyz`, `pdb`, `vtk`, `vtp`, `obj`, `inp`, `npy`.
     #[must_use]

@@ -54,7 +54,8 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
                 "ELEMENT" => match parameter("TYPE").unwrap_or("").to_ascii_uppercase() {
                     kind if kind.starts_with(['B', 'T']) => {
                         let name = parameter("ELSET").filter(|name| !name.is_empty()).map(str::to_owned);
-                        let diameter = radius.filter(|radius| *radius > 0.0).map(|radius| 2.0 * radius);
+                        let diameter = radius.map(|radius: f64| 2.0 * radius);
+                        let diameter = diameter.filter(|diameter| *diameter > 0.0 && *diameter < f64::INFINITY);
                         blocks.push(Block { name, diameter, pieces: Vec::new() });
                         Below::Lines(blocks.len() - 1)
                     }

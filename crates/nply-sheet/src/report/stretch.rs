@@ -99,7 +99,9 @@ const STATE: &[Item<ExtensibleState>] = {
             s.ply().core().map(|_| s.core_line_load())
         }),
         item(STRAIN, "strain", "strain of a strand", Number, |s| Some(s.strain())),
-        item(STRAIN, "bending_strain", "strain by bending, outer fibre", Number, |s| Some(s.bending())),
+        item(STRAIN, "bending_strain", "strain by bending, outer fibre (below 0: inner pulled)", Number, |s| {
+            Some(s.bending())
+        }),
         item(STRAIN, "strand_stress", "greatest pull in a strand", Stress, |s| strand_stress(s, WireStress::greatest)),
         item(STRAIN, "strand_shear_stress", "shear by twist in a strand", Stress, |s| strand_stress(s, |w| w.twist)),
         item(STRAIN, "strand_equivalent_stress", "von Mises' stress in a strand", Stress, |s| {
@@ -109,10 +111,10 @@ const STATE: &[Item<ExtensibleState>] = {
         item(STRAIN, "core_equivalent_stress", "von Mises' stress in the core", Stress, |s| {
             core_stress(s, WireStress::equivalent)
         }),
-        item(STRAIN, "neighbour_hertz_pressure", "Hertz' pressure between neighbours", Stress, |s| {
+        item(STRAIN, "neighbour_hertz_pressure", "Hertz pressure between neighbours", Stress, |s| {
             Some(modulus(s)? * s.neighbour_hertz_pressure()?)
         }),
-        item(STRAIN, "core_hertz_pressure", "Hertz' pressure on the core, as of one material", Stress, |s| {
+        item(STRAIN, "core_hertz_pressure", "Hertz pressure on the core, as of one material", Stress, |s| {
             Some(modulus(s)? * s.core_hertz_pressure()?)
         }),
         item(RESPONSE, "axial_stiffness", "EA, ends cannot turn", Force, |s| stiffness(s, |k| k.axial)),
