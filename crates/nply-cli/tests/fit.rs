@@ -153,6 +153,31 @@ fn what_is_wrong_is_said_at_its_place_and_nothing_is_written() {
     fs::remove_dir_all(folder).unwrap();
 }
 
+/// A class counts coils, not signed coils: strands twisted Z wind into an S ply, and counts without the sign fit no touching state.
+#[test]
+fn counts_without_their_sign_give_no_value() {
+    let rows = [(5, 5.0), (10, 9.0), (15, 12.5), (20, 15.0), (30, 18.0)];
+    let fit = |sign: f64, head: &str| {
+        let mut text = format!("{head}\n");
+        for (twist, coils) in rows {
+            text += &format!("{twist},{}\n", sign * coils);
+        }
+        let ply = ["--strands", "3", "--diameter", "6 mm", "--stiffness-ratio", "1", "--estimate", "stiffness_ratio"];
+        call_with(&[&["fit", "-", "--json"], &ply[..]].concat(), text.as_bytes())
+    };
+    let head = "turns_per_length [turns/m],ply_turns_per_strand_length [turns/m]";
+    let counted: Value = serde_json::from_str(&fit(1.0, head).out).unwrap();
+    assert_eq!(estimate(&counted, "stiffness_ratio")["value"], Value::Null);
+    let signed: Value = serde_json::from_str(&fit(-1.0, head).out).unwrap();
+    let ratio = number(estimate(&signed, "stiffness_ratio"), "value");
+    assert!((0.55..0.75).contains(&ratio), "{ratio}"); // a rubber cord's C/B is 2/3 where it is solid
+    // columns by the names of reports, and what to do with those that are none
+    let per_length = fit(-1.0, "turns_per_length [turns/m],turns_per_ply_length [turns/m]");
+    assert_eq!(per_length.code, 0, "{}", per_length.err);
+    let turns = fit(-1.0, "turns,ply_turns_per_strand_length [turns/m]");
+    assert!(turns.code == 2 && turns.err.contains("the twist put in stands in turns_per_length"), "{}", turns.err);
+}
+
 /// Three strands of 0.5 mm, lays to 0.4 %.
 fn lays(table: &str, more: &[&str]) -> command::Answer {
     let ply =

@@ -440,6 +440,19 @@ fn a_rope_is_written_wire_by_wire() {
     let (bytes, _) = written("rope.csv", &[rope, "--centrelines", "--elements-per-pitch", "12"]);
     let table = String::from_utf8(bytes).unwrap();
     assert!(table.contains("\nlayer1-strand4-wire6,") && table.contains("\nlayer1-strand4-core,"));
+    // what is known of wires that are helices: cos θ sin θ / R and sin² θ / R, and signs
+    let (bytes, _) = written("spiral.vtu", &["examples/spiral-strand-1x19.toml", "--facets", "6", "--segments", "6"]);
+    let text = String::from_utf8(bytes).unwrap();
+    let (strand, curvature, torsion) =
+        (floats(&text, "strand"), floats(&text, "curvature_per_mm"), floats(&text, "torsion_per_mm"));
+    for (number, radius, pitch, hand) in [(1.0, 2.05, 60.0, -1.0), (7.0, 4.05, 110.0, 1.0)] {
+        let at = strand.iter().position(|strand| (strand - number).abs() < 0.1).unwrap();
+        let rise = pitch / std::f64::consts::TAU;
+        let square = radius * radius + rise * rise;
+        assert!((curvature[at] * square / radius - 1.0).abs() < 1e-6, "{}", curvature[at]);
+        assert!((torsion[at] * square / rise - hand).abs() < 1e-6, "{}", torsion[at]);
+    }
+    assert!(strand.iter().zip(&curvature).all(|(strand, value)| (strand.abs() < 0.1) == value.is_nan()));
     for (arguments, part) in [
         (&["mesh", rope, "--format", "stl", "--strands", "4"][..], "describes a layered strand"),
         (&["mesh", rope, "--format", "stl", "--state", "2"], "has no states"),

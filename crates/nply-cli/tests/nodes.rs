@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use command::{call, json, near, number, out};
-use nply::geometry::{Clearance, Wire, Wires};
+use nply::geometry::{Clearance, Contact, Wire, Wires};
 
 const STRAND: [&str; 8] = ["nodes", "--strands", "6", "--helical-angle", "17.44 deg", "--diameter", "2 mm", "--core"];
 
@@ -103,10 +103,28 @@ fn what_cannot_be_laid_is_refused_in_one_sentence() {
         (&["--helical-angle", "20 deg", "--core", "1 mm"], 2, "no size to measure it by"),
         (&["--lay-length", "12.5", "--coating", "0.3"], 1, "no lay of this length"),
         (&[], 2, "the lay is missing"),
+        (
+            &["--diameter", "4.2 mm", "--core-diameter", "4.3 mm", "--lay-length", "177.8 mm"],
+            2,
+            "remove one of them (`--core-diameter` is the core of strands that touch each other and it; a core wire of any size is `--core`",
+        ),
     ] {
         let found = call(&[&lay[..], more].concat());
         assert_eq!((found.code, found.out.as_str()), (code, ""), "{more:?}: {}", found.err);
         assert!(found.err.contains(part) && found.err.starts_with("error: "), "{more:?}: {}", found.err);
+    }
+}
+
+/// A king wire that keeps its strands apart, of a surface: how thick, in the unit of the input, and what to do.
+#[test]
+fn a_core_too_thick_for_touching_strands_is_refused_in_their_unit() {
+    let strand = ["--strands", "6", "--diameter", "4.2mm", "--core", "2.15mm", "--lay-length", "177.8mm"];
+    let found = call(&[&["mesh", "--format", "stl"], &strand[..]].concat());
+    assert_eq!(found.code, 1);
+    let touching = Contact::from_lay_length(6, 177.8 / 2.1).unwrap().radius_ratio();
+    let hole = format!("leave a hole of radius {:.5} mm", 2.1 * (touching - 1.0));
+    for part in ["a core of radius 2.15 mm", &hole, "[core] and [[layer]]"] {
+        assert!(found.err.contains(part), "{}", found.err);
     }
 }
 
@@ -294,4 +312,35 @@ fn quadratic_elements_have_their_middle_nodes_on_the_helix() {
         inp.contains("*ELEMENT, TYPE=B32, ELSET=STRAND-1\n1, 1, 2, 3\n2, 3, 4, 5\n3, 5, 6, 7\n4, 7, 8, 9\n**"),
         "{inp}"
     );
+}
+
+/// What is written for a solver is read again, with its radii and its unit: the same gaps as of the table.
+#[test]
+fn an_input_file_is_checked_as_the_table_is() {
+    for more in [
+        &["examples/spiral-strand-1x19.toml", "--lay-lengths", "1"][..],
+        &["examples/strand-7-wire.toml", "--element-type", "B32"],
+    ] {
+        let found = ["csv", "inp"].map(|ending| {
+            let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+                .join(format!("checked-{}.{ending}", more.len() + more[0].len()));
+            out(&[&["nodes"], more, &["--output", path.to_str().unwrap()]].concat());
+            json(&["clearance", path.to_str().unwrap(), "--json"])
+        });
+        assert_eq!(found[1]["unit"], "mm");
+        assert_eq!(found[1]["overlapping_pairs"], 0);
+        for name in ["least_distance", "clearance"] {
+            let [csv, inp] = [0, 1].map(|at| number(&found[at], name));
+            assert!((csv - inp).abs() < 1e-12, "{more:?} {name}: {csv} {inp}");
+        }
+        let names = |at: usize| {
+            found[at]["curves"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|it| it["name"].as_str().unwrap().to_lowercase())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(names(0), names(1));
+    }
 }

@@ -104,6 +104,18 @@ fn vtp() -> Vec<u8> {
     .into_bytes()
 }
 
+/// The curves as the beams of a finite-element input.
+fn inp(end: &str, kind: &str, first: &[&str], second: &[&str]) -> Vec<u8> {
+    let nodes =
+        CURVES.concat().iter().zip(1..).map(|([x, y, z], i)| format!("{i}, {x}, {y}, {z}\n")).collect::<String>();
+    let (first, second) = (first.join("\n"), second.join("\n"));
+    let text = format!(
+        "*Heading\n two curves\n*NODE, NSET=ALL\n{nodes}** radius 0.5\n*ELEMENT, TYPE={kind}, ELSET=FIRST\n{first}\n** another\n\
+         *Element , elset=SECOND, type={kind}\n{second}\n*NSET, NSET=START\n1, 4\n*BEAM SECTION, SECTION=CIRC, ELSET=FIRST\n3.\n"
+    );
+    text.replace('\n', end).into_bytes()
+}
+
 /// Each format's text of the two curves.
 fn good() -> Vec<(&'static str, Vec<u8>)> {
     let [first, second] = CURVES;
@@ -134,6 +146,9 @@ fn good() -> Vec<(&'static str, Vec<u8>)> {
                 .into_bytes(),
         ),
         ("a.obj", format!("{}l 3 2\nl 1 2\nl 4/1 5/2 \\\n 6/3\nf 1 2 3\n", ascii(&CURVES.concat(), "v ")).into_bytes()),
+        ("a.inp", inp("\n", "B31", &["7, 1, 2", "8, 2, 3"], &["9, 4, 5", "10, 5, 6"])),
+        ("beams", inp("\r\n", "b32", &["1, 1, 2, 3,"], &["2, 4, 5, 6"])),
+        ("a.inp", inp("\n", "T3D2", &["8, 2, 3", "7, 1, 2"], &["9, 4, 5", "10, 5, 6"])),
         ("a.npy", npy("<f8", false, "(2, 3, 3)", &doubles)),
     ]
 }
@@ -168,6 +183,9 @@ fn names_units_and_what_was_left_out_are_said() {
     assert_eq!(names(11), ["first", "second"]);
     assert_eq!(read(good[1].0, &good[1].1).unit.as_deref(), Some("mm"));
     assert_eq!(read(good[7].0, &good[7].1).unit.as_deref(), Some("Å"));
+    let beams = read(good[13].0, &good[13].1);
+    let said: Vec<_> = beams.curves.iter().map(|curve| (curve.name.as_str(), curve.diameter)).collect();
+    assert_eq!(said, [("FIRST", Some(1.0)), ("SECOND", None)]);
     let joined = read(good[12].0, &good[12].1);
     assert_eq!(joined.notes, ["2 pieces of two points are joined end to end.", "1 face is left out."]);
     let twice = read("a.csv", b"0,0,0\n1,1,1\n\n0,0,0\n1,1,1\n");
@@ -265,6 +283,14 @@ fn a_protein_is_its_alpha_carbons_and_what_was_chosen_is_said() {
     {
         assert!(notes.contains(said), "{notes}");
     }
+    // a selenomethionine in a file of Cα alone
+    let mut trace = String::new();
+    for (record, residue) in [("ATOM", 1), ("ATOM", 2), ("HETATM", 3), ("ATOM", 4), ("HETATM", 5)] {
+        trace += &pdb_atom(record, " CA ", ' ', 'A', residue, at(residue as f64), "1.00");
+    }
+    let found = read("a.pdb", trace.as_bytes());
+    assert_eq!(found.curves[0].points, [1.0, 2.0, 3.0, 4.0].map(at));
+    assert!(found.notes.join(" ").contains("1 residue among hetero atoms (HETATM) is taken in"), "{:?}", found.notes);
     // nucleic acids: the phosphorus of each nucleotide, and no 5' end without one
     let mut dna = pdb_atom("ATOM", " O5'", ' ', 'C', 1, at(0.0), "1.00");
     for residue in 2..4 {
@@ -312,6 +338,16 @@ fn every_mistake_is_one_sentence_with_its_place() {
         ("a.xyz", b"99999999999999\n\nC 0 0 0\n".to_vec(), "the file ends after 1"),
         ("a.xyz", b"2\n\nC 0 0 0\nC 0 0\n".to_vec(), "a.xyz:4: \"C 0 0\" has no z"),
         ("a.xyz", b"2\n\nC 0 0 0\nC 0 0 1\nC 0 0 2\n".to_vec(), "a.xyz:5: \"C 0 0 2\" is no count"),
+        ("a.inp", b"*HEADING\n".to_vec(), "a.inp: it has no `*NODE`"),
+        ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=C3D8\n1, 1\n".to_vec(), "a.inp: it has no beams or trusses"),
+        ("a.inp", b"*NODE\n1, 0, x\n".to_vec(), "a.inp:2:7: \"x\" is no number; y is wanted here"),
+        ("a.inp", b"*NODE\n1, 0\n1, 1\n".to_vec(), "a.inp:3: there is a node 1 above already"),
+        ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=B31\n1, 1, 2\n".to_vec(), "a.inp:4:7: there is no node 2 above"),
+        ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=B31\n1, 1\n".to_vec(), "a.inp:4: element 1 has 1 node; 2 or 3"),
+        ("a.inp", b"*NODE\n1.5, 0\n".to_vec(), "a.inp:2:1: \"1.5\" is no whole number"),
+        ("a.inp", b"*NODE, INPUT=n.inp\n".to_vec(), "a.inp:1: its lines are in another file"),
+        ("a.inp", b"*INCLUDE, INPUT=n.inp\n".to_vec(), "a.inp:1: another file is included"),
+        ("a.inp", b"*Instance, name=a, part=b\n".to_vec(), "a.inp:1: parts are put together here"),
         ("a.pdb", b"HEADER\n".to_vec(), "a.pdb: no chain has two"),
         (
             "a.pdb",

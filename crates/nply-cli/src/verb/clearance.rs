@@ -41,7 +41,7 @@ fn arguments(command: Command) -> Command {
                 .value_name("LENGTH")
                 .action(ArgAction::Append)
                 .allow_hyphen_values(true)
-                .help("The wires' diameter; given several times, one for each curve; else a column `diameter` of the file"),
+                .help("The wires' diameter; given several times, one for each curve; else that of the file: a column `diameter` or `radius`, or the radius above each set of an INP"),
         )
         .arg(format())
         .arg(json())

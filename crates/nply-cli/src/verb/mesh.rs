@@ -21,8 +21,8 @@ use crate::output::{self, Draft};
 
 const LONG: &str = "\
 Writes the strands of a ply, and a core, as closed surfaces in triangles, for printing, finite elements and viewers:
-STL, PLY, OBJ, GLB (coloured, in metres), VTK and VTU (with pressures, curvature and twist); or with --centrelines as
-nodes: CSV, XYZ, PDB, VTP and INP (Abaqus' beam elements). The end of the file's name tells which.
+STL, PLY, OBJ, GLB (coloured, in metres), VTK and VTU (with curvature, and pressures of a state that was solved); or with --centrelines as
+nodes: CSV, XYZ, PDB, VTP and INP (beam elements for Abaqus and CalculiX). The end of the file's name tells which.
 
 The ply is given as for `nply contact` (a lay), or as for `nply solve`, and then --state says which of its states is
 meant: if nothing is said, the first whose strands need not pull on each other. Lengths that flags say are written with

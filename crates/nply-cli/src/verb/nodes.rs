@@ -15,7 +15,10 @@ const LONG: &str = "\
 Wires of straight elements lie closer than the helices they stand for: laid to touch, they overlap. This finds the least
 helix radius at which the elements keep clear, by their diameter and twice the coating, of each other and of a core, at
 the helical angle given, or at the lay length if that is given; says what part of the gap chords take; and writes the nodes
-(INP, CSV, XYZ, PDB, VTP) with --output. With --lay-radius that radius is taken, and it is said whether it clears.";
+(INP, CSV, XYZ, PDB, VTP) with --output. With --lay-radius that radius is taken, and it is said whether it clears.
+
+A file with [[layer]], as `nply fit-check` reads it, is a strand of layers: each is laid, at the lay length it has there,
+clear of itself and of all that is below it. (The wires of a rope's strands are no helices: `nply mesh --centrelines`.)";
 
 pub(super) const VERB: Verb = Verb {
     name: "nodes",
@@ -36,7 +39,7 @@ fn arguments(command: Command) -> Command {
         Arg::new(name).long(name).value_name(value).allow_hyphen_values(true).help(help)
     };
     with_keys(command, wanted)
-        .arg(count("elements-per-pitch", "Elements per lay length (24)", MOST))
+        .arg(count("elements-per-pitch", "Elements per lay length, of layers per the shortest (24)", MOST))
         .arg(element_type())
         .arg(text("coating", "LENGTH", "Thickness of a coating on every wire"))
         .arg(

@@ -121,7 +121,12 @@ class Study:
 
 def actuator(document: _Document, data: _Data, steps: int | None, goal: tuple[str, Any] | None) -> Answer: ...
 def centrelines(
-    document: _Document, data: _Data, shown: dict[str, Any], per_lay_length: int | None, unit: str | None
+    document: _Document,
+    data: _Data,
+    shown: dict[str, Any],
+    per_lay_length: int | None,
+    element_type: str,
+    unit: str | None,
 ) -> Chains: ...
 def clearance(curves: dict[str, Any], diameters: Sequence[Any]) -> Answer: ...
 def contact(

@@ -242,6 +242,12 @@ impl Case {
         self.origins.give(datum)
     }
 
+    /// Whether the strands may be solid and round. Molecules, known by how they bend in a solvent, and bundles of fibres with room between
+    /// them are not.
+    pub(crate) fn may_be_solid(&self) -> bool {
+        !self.gives(Datum::BendingPersistenceLength) && self.packing_fraction.is_none_or(|share| share >= 1.0)
+    }
+
     /// A refusal of what no ply let go can be, at a datum or at any of its group.
     pub(crate) fn refuse_domain(&self, datum: Datum, why: &str) -> SpecError {
         self.origins.refuse_domain(datum, why)
@@ -324,10 +330,20 @@ fn only_one<'s>(spec: &'s Spec, group: Group, gives: &str) -> Result<Option<&'s 
     let mut found = spec.entries.iter().filter(|entry| entry.key.group == Some(group));
     let first = found.next();
     match (first, found.next()) {
-        (Some(first), Some(second)) => Err(second.error(
-            ErrorKind::Contradiction,
-            format!("{} and {} both give {gives}: remove one of them", first.said(), second.said()),
-        )),
+        (Some(first), Some(second)) => {
+            // whoever gives a lay and a core may mean a wire to lie on
+            let core = [Datum::CoreRadius, Datum::CoreDiameter].into_iter().find_map(|datum| spec.get(datum));
+            let core = match core.filter(|_| group == Group::Lay) {
+                Some(core) => format!(
+                    " ({} is the core of strands that touch each other and it; a core wire of any size is `--core` of `nply nodes` and `nply \
+                     mesh`, or [core] in a file with [[layer]])",
+                    spec.call(core.key.datum)
+                ),
+                None => String::new(),
+            };
+            let message = format!("{} and {} both give {gives}: remove one of them{core}", first.said(), second.said());
+            Err(second.error(ErrorKind::Contradiction, message))
+        }
         _ => Ok(first),
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn curves(points: &[Vector], cells: Vec<Cell>) -> Found {
 }
 
 /// Pieces joined where exactly two meet; a ring repeats its first point at the end.
-fn join(pieces: Vec<Cell>) -> Vec<Cell> {
+pub(super) fn join(pieces: Vec<Cell>) -> Vec<Cell> {
     let mut at_point: HashMap<usize, Vec<usize>> = HashMap::new();
     for (i, piece) in pieces.iter().enumerate() {
         for point in &piece.points {

@@ -18,15 +18,18 @@ pub enum Format {
     VtkXml,
     /// Wavefront OBJ, `l` lines.
     Obj,
+    /// Beams and trusses of Abaqus' and CalculiX' input.
+    Inp,
     /// A NumPy array.
     Npy,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 7] = [Self::Rows, Self::Xyz, Self::Pdb, Self::Vtk, Self::VtkXml, Self::Obj, Self::Npy];
+    pub const ALL: [Self; 8] =
+        [Self::Rows, Self::Xyz, Self::Pdb, Self::Vtk, Self::VtkXml, Self::Obj, Self::Inp, Self::Npy];
 
-    /// Its short name: `csv`, `xyz`, `pdb`, `vtk`, `vtp`, `obj`, `npy`.
+    /// Its short name: `csv`, `xyz`, `pdb`, `vtk`, `vtp`, `obj`, `inp`, `npy`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -36,6 +39,7 @@ impl Format {
             Self::Vtk => "vtk",
             Self::VtkXml => "vtp",
             Self::Obj => "obj",
+            Self::Inp => "inp",
             Self::Npy => "npy",
         }
     }
@@ -74,6 +78,7 @@ impl Format {
             "vtk" => Ok(Self::Vtk),
             "vtp" | "vtu" => Ok(Self::VtkXml),
             "obj" => Ok(Self::Obj),
+            "inp" => Ok(Self::Inp),
             "npy" => Ok(Self::Npy),
             "npz" => Err("an archive of arrays (.npz); save the one array with numpy.save as .npy"),
             "cif" | "mmcif" => Err("mmCIF; save it as PDB"),
@@ -93,12 +98,19 @@ impl Format {
             Self::Pdb
         } else if counts_first(head) {
             Self::Xyz
+        } else if lines.clone().next().is_some_and(is_keyword) {
+            Self::Inp
         } else if lines.any(|line| starts_with_word(line, "v")) {
             Self::Obj
         } else {
             Self::Rows
         }
     }
+}
+
+/// Whether a line is a keyword of a finite-element input, `*NODE`, or a comment there, `** …`.
+fn is_keyword(line: &[u8]) -> bool {
+    matches!(line, [b'*', second, ..] if second.is_ascii_alphabetic() || *second == b'*')
 }
 
 /// Whether a text begins with a line that holds one whole number alone.

@@ -1,6 +1,6 @@
 //! Curves that people have: centrelines of wires, traces of molecules, polylines, from the files they come in.
 //!
-//! Rows of numbers, XYZ, PDB, VTK (legacy and XML), OBJ and NumPy files are read, several curves in one file. Bytes in, values out: a
+//! Rows of numbers, XYZ, PDB, VTK (legacy and XML), OBJ, INP and NumPy files are read, several curves in one file. Bytes in, values out: a
 //! door opens the file. Coordinates are taken as they are, in the file's own unit. What is left out or chosen on the way is said in
 //! [`Curves::notes`]; what cannot be taken for certain is refused in a sentence with its place ([`ReadError`]).
 //!
@@ -16,6 +16,7 @@
 mod cells;
 mod error;
 mod format;
+mod inp;
 mod npy;
 mod obj;
 mod pdb;
@@ -137,6 +138,7 @@ impl Curves {
             Format::Vtk => vtk::read(&source),
             Format::VtkXml => vtk_xml::read(&source),
             Format::Obj => obj::read(&source),
+            Format::Inp => inp::read(&source),
             Format::Npy => npy::read(&source),
         }?;
         let curves = finish(&source, found.drafts)?;

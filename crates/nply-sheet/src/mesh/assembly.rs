@@ -200,8 +200,16 @@ fn core_radius(ply: &Subject, wanted: &Wanted<'_>) -> Result<Option<f64>, SpecEr
     }
     // a core that was given and lies against the strands does so to rounding
     if radius > hole * (1.0 + 1e-9) {
-        let message =
-            format!("a core of {} strand radii overlaps the strands, which leave a hole of {hole:.6}", round(radius));
+        let said = |value: f64| match ply.strand_radius {
+            Some(r) => ply.units.format(crate::Dimension::LENGTH, value * r),
+            None => format!("{} strand radii", round(value)),
+        };
+        let message = format!(
+            "a core of radius {} overlaps the strands, which touch each other and leave a hole of radius {}; strands that lie on a thicker \
+             core are described in a file, with [core] and [[layer]] as for `nply fit-check`",
+            said(radius),
+            said(hole)
+        );
         return Err(flag("core", ErrorKind::Domain, message));
     }
     Ok(Some(radius))

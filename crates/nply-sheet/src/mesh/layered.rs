@@ -229,6 +229,12 @@ impl Laying<'_> {
                     None => {
                         let tube = self.tube(line, layer.wire_radius())?;
                         self.push(format!("{name}wire{}", i + 1), STRANDS[at % STRANDS.len()], tube)?;
+                        if let Some(wire) = self.wires.last_mut() {
+                            wire.values = vec![
+                                ("curvature", crate::Measure::PerLength, line.curvature()),
+                                ("torsion", crate::Measure::PerLength, line.torsion()),
+                            ];
+                        }
                     }
                 }
             }

@@ -48,7 +48,7 @@ impl Grid {
             });
             stripe.values.push(0.0);
         }
-        let names: Vec<String> = values(surface, unit, 0);
+        let names: Vec<String> = values(surface, unit);
         let mut cell_values: Vec<Field> = names.iter().map(|name| scalar(name)).collect();
         cell_values.iter_mut().for_each(|field| field.values.resize(lines.len(), f64::NAN));
         for (number, part) in surface.parts.iter().enumerate() {
@@ -85,9 +85,9 @@ impl Grid {
     }
 }
 
-/// The names of a wire's values.
-fn values(surface: &Surface<'_>, unit: &FileUnit, wire: usize) -> Vec<String> {
-    let Some(part) = surface.parts.get(wire) else { return Vec::new() };
+/// The names of the wires' values, which are the same of all that have any.
+fn values(surface: &Surface<'_>, unit: &FileUnit) -> Vec<String> {
+    let Some(part) = surface.parts.iter().find(|part| !part.wire.values.is_empty()) else { return Vec::new() };
     part.wire.values.iter().map(|value| field(*value, unit, surface.scale).0).collect()
 }
 

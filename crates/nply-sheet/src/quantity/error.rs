@@ -21,6 +21,12 @@ pub enum QuantityError {
         /// What was read, quoted.
         read: String,
     },
+    /// Several numbers.
+    #[error("{read} is a list, and one number is wanted")]
+    List {
+        /// What was read, quoted.
+        read: String,
+    },
     /// NaN or infinity.
     #[error("{read} is not a finite number; no ply has it")]
     NotFinite {
@@ -85,7 +91,7 @@ fn instead(nearest: Option<&'static str>) -> String {
 fn advice(found: Dimension) -> &'static str {
     match found {
         Dimension::LINEAR_DENSITY => "; a titre is given as `linear_density`, with the `density` of the fibre",
-        Dimension::MASS => "; for a weight write kgf or lbf",
+        Dimension::MASS => "; for a weight write kgf, tf or lbf",
         Dimension::PER_LENGTH => "; write rad/m or turns/m for a twist",
         _ => "",
     }

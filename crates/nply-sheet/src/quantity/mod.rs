@@ -108,8 +108,18 @@ impl Quantity {
             });
         };
         let after = decimal.rest.trim_start();
-        if after.starts_with(',') {
-            return Err(QuantityError::Comma { read: quoted() });
+        // one comma between digits may be a decimal one; any other parts two numbers
+        let listed = |rest: &str| {
+            let number = |part: &str| Decimal::read(part.trim()).is_some();
+            rest.split_once(',').is_some_and(|(_, next)| next.starts_with(' ') || next.contains(',') || number(next))
+        };
+        match after.strip_prefix(',') {
+            Some(rest) if rest.starts_with(' ') || rest.contains(',') => {
+                return Err(QuantityError::List { read: quoted() });
+            }
+            Some(_) => return Err(QuantityError::Comma { read: quoted() }),
+            None if listed(after) => return Err(QuantityError::List { read: quoted() }),
+            None => {}
         }
         let in_range = |value: f64| value.is_finite() && (value != 0.0 || decimal.is_zero());
         if after.is_empty() {
@@ -250,6 +260,10 @@ mod tests {
             ("0.25 rev", FRAC_PI_2),
             ("200 turns/m", 200.0 * TAU),
             ("200 tpm", 200.0 * TAU),
+            ("205000 N/mm2", 205e9),
+            ("2 t", 2e3),
+            ("90 %", 0.9),
+            ("90%", 0.9),
             ("\u{2212}5 mm", -5e-3),
             (".5 mm", 5e-4),
             ("5. mm", 5e-3),
@@ -280,6 +294,10 @@ mod tests {
             ("-inf N", "not a finite number"),
             ("0,5 mm", "decimal point"),
             ("12 000 N", "is wanted here"),
+            ("1,5,2 mm", "is a list"),
+            ("6, 12", "is a list"),
+            ("60 mm,34 mm", "is a list"),
+            ("3 bp", "0.34 nm"),
             ("1.2.3 mm", "is wanted here"),
             ("5 kTB", "no unit known"),
             ("1e999 m", "too large or too small"),

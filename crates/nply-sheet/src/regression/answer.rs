@@ -301,9 +301,9 @@ fn notes(
             && error > 0.5 * estimate.value
         {
             notes.push(format!(
-                "{} is hardly determined: its standard error is {:.0} % of it, so large that the estimate says little more than its order.",
+                "{} is hardly determined: its standard error is {} of it, so large that the estimate says little more than its order.",
                 estimate.parameter.name(),
-                100.0 * error / estimate.value
+                super::report::percent(error / estimate.value)
             ));
         }
     }

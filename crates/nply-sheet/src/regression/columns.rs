@@ -450,14 +450,24 @@ impl<'t> Reader<'t> {
         };
         let joined = stem.to_lowercase().replace([' ', '-'], "_");
         let twists = [Parameter::Pretwist, Parameter::TurnsPerLength, Parameter::StrandTwist].map(Given::Twist);
-        let names: Vec<Given> = Observable::ALL.map(Given::State).into_iter().chain(twists).collect();
+        let own = Observable::ALL.map(Given::State).into_iter().chain(twists).map(|given| (given.name(), given));
+        // as reports call them
+        let reported = [
+            ("extension", Given::State(Observable::LengthRatio)),
+            ("turns_per_ply_length", Given::State(Observable::PlyTurnsPerLength)),
+        ];
+        let names: Vec<(&str, Given)> = own.chain(reported).collect();
         // the longest name that begins it
-        let begins = |given: &&Given| {
-            joined.strip_prefix(given.name()).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+        let begins = |(name, _): &&(&str, Given)| {
+            joined.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
         };
-        let Some(given) = names.iter().filter(begins).max_by_key(|given| given.name().len()).copied() else {
-            let help =
-                nearest(&joined, names.iter().map(|given| given.name())).map(|name| format!("did you mean `{name}`?"));
+        let Some((name, given)) = names.iter().filter(begins).max_by_key(|(name, _)| name.len()).copied() else {
+            let help = match joined.as_str() {
+                "turns" => Some("the twist put in stands in turns_per_length, turns over the strand length; turns of the ply in ply_turns".to_owned()),
+                "end_rotation" | "surface_angle" => Some("the twist put in stands in turns_per_length or pretwist".to_owned()),
+                "retraction" | "retraction_percent" => Some("write length_ratio, 1 less the retraction".to_owned()),
+                _ => nearest(&joined, names.iter().map(|(name, _)| *name)).map(|name| format!("did you mean `{name}`?")),
+            };
             let message = format!(
                 "{} is no column known here; those are {}, each with its errors as `…_error`, the twists pretwist, turns_per_length and \
                  strand_twist, and `note`",
@@ -466,7 +476,7 @@ impl<'t> Reader<'t> {
             );
             return Err(SpecError::new(ErrorKind::UnknownKey, place, message).with_help(help));
         };
-        let rest = stem.get(given.name().len()..).unwrap_or("").trim_start_matches(['_', ' ', '-']);
+        let rest = stem.get(name.len()..).unwrap_or("").trim_start_matches(['_', ' ', '-']);
         let tails = ["error", "errors", "sigma", "std", "uncertainty"];
         let lower = rest.to_lowercase();
         // `force_error`, `force_error_N` and `force_N_error`

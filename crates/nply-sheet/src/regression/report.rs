@@ -580,7 +580,7 @@ fn three_digits(value: f64) -> String {
     six_digits(rounded)
 }
 
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     if share.is_finite() { format!("{} %", three_digits(100.0 * share)) } else { "–".to_owned() }
 }
 

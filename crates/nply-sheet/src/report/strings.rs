@@ -243,7 +243,7 @@ impl StringsReport {
         let force = strings.units.format(Dimension::FORCE, strings.force);
         let headline = format!("{title}{} {kind} under {force}, turned {way}", strings.strands);
         let _ = writeln!(out, "{}", emphasis.heading(&headline));
-        let mut columns: Vec<Row> = self.columns().filter_map(|item| reader.row(item, "", &self.steps)).collect();
+        let mut columns: Vec<Row> = self.columns().filter_map(|item| reader.row(item, "", &self.steps, &[])).collect();
         if columns.is_empty() {
             return out;
         }

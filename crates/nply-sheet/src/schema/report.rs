@@ -464,7 +464,11 @@ pub(super) fn stiffness() -> Value {
         .with("greatest_stress_at", or_null(words("Where a wire is pulled most", ["outer", "inner", "all"])));
     let member = sized(member, &listed::of_member()).open();
     let lays = list(
-        "Lay lengths of the layer that have the torque factor that is wanted, longest first",
+        "Lay lengths of the layer that have the torque factor that is wanted and at which its wires fit, longest first",
+        number("A lay length", "m"),
+    );
+    let crowded = list(
+        "Lay lengths that would have it, but at which wires do not fit beside each other on what is below, longest first",
         number("A lay length", "m"),
     );
     let twist = or_null(number("Twist per wire length at which the cable asks for no moment", "rad/m"));
@@ -475,6 +479,8 @@ pub(super) fn stiffness() -> Value {
         .with("layers", list("From the inside", member))
         .may("lay_lengths_for_torque_factor", lays.clone())
         .may("lay_lengths_for_torque_factor_m", lays)
+        .may("lay_lengths_that_do_not_fit", crowded.clone())
+        .may("lay_lengths_that_do_not_fit_m", crowded)
         .may("pretwist_for_no_moment", twist.clone())
         .may("pretwist_for_no_moment_rad_per_m", twist);
     noted(sized(top, &listed::of_cable())).open()
