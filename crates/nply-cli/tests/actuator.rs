@@ -162,8 +162,12 @@ fn a_stroke_a_torque_and_a_tension_give_their_turns() {
     near(number(steps(&three).last().unwrap(), "stroke"), 0.1, 1e-12);
     let base = ["actuator", "--strands", "2", "--diameter", "1 mm", "--strand-length", "0.5 m", "--force", "20 N"];
     for (more, code, said) in [
-        (&["--stroke", "0.4 m"][..], 1, "the most turns are a stroke of"),
+        (&["--stroke", "0.4 m"][..], 1, "that of the most turns"),
+        (&["--stroke", "1e-300 mm"], 1, "--stroke: the strokes of these strings are between 0"),
         (&["--tension", "9 N"], 1, "before any turn"),
+        (&["--tension", "10 N"], 1, "--tension: the load alone pulls each string by 10 N, before any turn"),
+        (&["--tension", "-3 N"], 2, "is no tension"),
+        (&["--torque", "1e9 N mm"], 1, "next to which it is without bound"),
         (&["--torque", "9 N"], 2, "is no torque"),
         (&["--stroke", "9 mm", "--motor-turns", "3"], 2, "leave one of them out"),
     ] {

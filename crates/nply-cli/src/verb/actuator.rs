@@ -53,7 +53,12 @@ fn arguments(command: Command) -> Command {
         .mut_arg("ply-turns", |turns| turns.visible_alias("motor-turns"))
         .args(GOALS.map(|(name, help)| {
             let others = GOALS.map(|(name, _)| name).into_iter().filter(move |other| *other != name);
-            Arg::new(name).long(name).value_name("QUANTITY").conflicts_with_all(others).help(help)
+            Arg::new(name)
+                .allow_hyphen_values(true)
+                .long(name)
+                .value_name("QUANTITY")
+                .conflicts_with_all(others)
+                .help(help)
         }))
         .arg(count("steps", "Equal steps from no turns to the last (10)", MOST_STEPS))
         .arg(format())

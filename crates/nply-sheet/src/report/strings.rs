@@ -204,14 +204,25 @@ impl StringsReport {
                 TwistedStrings::reaching(n, TwistedStrings::string_tension, tension / force)
             }
         };
-        let Some(reached) = reached.map_err(|error| strings.locate(&error))? else {
+        let turned = |reached: &TwistedStrings| reached.rotation() > 0.0;
+        let Some(reached) = reached.map_err(|error| strings.locate(&error))?.filter(turned) else {
+            // rounding of a share of the load is no tension beyond it
+            let share = (1.0 + 4.0 * f64::EPSILON) * force / f64::from(n);
             let message = match goal {
+                StringsGoal::Tension(tension) if tension <= share => {
+                    let share = strings.units.format(Dimension::FORCE, force / f64::from(n));
+                    format!(
+                        "the load alone pulls each string by {share}, before any turn: a {name} that turns make is greater"
+                    )
+                }
+                StringsGoal::Torque(_) | StringsGoal::Tension(_) => format!(
+                    "such a {name} comes with no turns that can be told from none or from the most, next to which it is without bound"
+                ),
                 StringsGoal::Stroke(_) => {
                     let most = TwistedStrings::most_turns(n).map_err(|error| strings.locate(&error))?;
                     let most = strings.units.format(Dimension::LENGTH, length * most.contraction());
-                    format!("these strings do not come so far: the most turns are a stroke of {most}")
+                    format!("the strokes of these strings are between 0 and that of the most turns, {most}")
                 }
-                _ => format!("the load alone makes a greater {name} in each string, before any turn"),
             };
             return Err(refuse(ErrorKind::Domain, message));
         };

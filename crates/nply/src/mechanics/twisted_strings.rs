@@ -25,6 +25,9 @@ pub struct TwistedStrings {
 }
 
 impl TwistedStrings {
+    /// The least rotation but 0: of less the square is no number.
+    const LEAST_ROTATION: f64 = 1e-140;
+
     /// From n ≥ 2 and the rotation Y of one end against the other, of either hand's size: rad per string length, times r; 0 for parallel
     /// strings.
     ///
@@ -39,8 +42,8 @@ impl TwistedStrings {
         Ok(Self { contact, rotation })
     }
 
-    /// At the angle where something that grows with the turns takes a value: a stroke, a torque, a tension; `None` where it does not up to
-    /// the [`most_turns`](Self::most_turns).
+    /// At the angle where something that grows with the turns takes a value, to 1e-9 of it: a stroke, a torque, a tension; `None` where it does not
+    /// up to the [`most_turns`](Self::most_turns), and where it does so near to them that turns as doubles pass it over, as a torque without bound may.
     ///
     /// # Errors
     /// [`DomainError`] on `strands`.
@@ -52,19 +55,25 @@ impl TwistedStrings {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn reaching(strands: u32, of: impl Fn(&Self) -> f64, value: f64) -> Result<Option<Self>, DomainError> {
-        let most = Self::most_turns(strands)?;
+        const NEAR: f64 = 1e-9;
+        let (straight, most) = (Self::new(strands, 0.0)?, Self::most_turns(strands)?);
         let at = |radians: f64| {
             let contact = Contact::at_angle(strands, HelicalAngle::new(radians)?)?;
-            Ok::<_, DomainError>(Self { contact, rotation: contact.angle().sin() / contact.radius_ratio() })
+            let rotation = (contact.angle().sin() / contact.radius_ratio()).min(most.rotation());
+            Ok::<_, DomainError>(Self { contact, rotation })
         };
         let (mut low, mut high) = (0.0, most.contact().helical_angle());
-        if !(of(&Self::new(strands, 0.0)?) <= value && value <= of(&most)) {
-            return Ok(None);
+        let start = of(&straight);
+        if !(start < value && value <= of(&most)) {
+            return Ok((start >= value && start <= value).then_some(straight));
         }
         loop {
             let middle = 0.5 * (low + high);
             if !(low < middle && middle < high) {
-                return at(high).map(Some);
+                // as its turns have it, which hardly move next to the most of them
+                let turned = at(high)?.rotation();
+                let found = Self::new(strands, if turned < Self::LEAST_ROTATION { 0.0 } else { turned })?;
+                return Ok(((of(&found) - value).abs() <= NEAR * value.abs()).then_some(found));
             }
             if of(&at(middle)?) < value { low = middle } else { high = middle }
         }
