@@ -65,7 +65,8 @@ impl TwistedStrings {
         let (mut low, mut high) = (0.0, most.contact().helical_angle());
         let start = of(&straight);
         if !(start < value && value <= of(&most)) {
-            return Ok((start >= value && start <= value).then_some(straight));
+            #[allow(clippy::float_cmp)] // with no turns at all it is just that
+            return Ok((start == value).then_some(straight));
         }
         loop {
             let middle = 0.5 * (low + high);
