@@ -178,7 +178,9 @@ pub(super) fn no_unit(word: &str) -> Option<&'static str> {
             "wraps per inch are no thickness: where 33 lie side by side in an inch, each is 1/33 inch thick, \"0.0303 inch\"",
         ),
         "cc" => Some("a cubic centimetre is `cm^3`, and g/cc is `g/cm^3`"),
-        "per" => Some("write `/` for it: turns per inch are `turns/inch` or `tpi`, turns per metre `turns/m` or `tpm`"),
+        "per" => {
+            Some("write `/` for `per`: turns per inch are `turns/inch` or `tpi`, turns per metre `turns/m` or `tpm`")
+        }
         "T/m" => Some("turns are written `turns`, and turns per metre `turns/m` or `tpm`"),
         _ => None,
     }
