@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read as _};
+use std::iter;
 use std::path::Path;
 
 use clap::ArgMatches;
@@ -70,9 +71,10 @@ pub(crate) fn read_described(arguments: &ArgMatches) -> Result<Input<Described>,
 /// The flags of a ply that were given.
 fn flags(arguments: &ArgMatches) -> Vec<(&'static str, &str)> {
     KEYS.iter()
-        .filter(|key| matches!(arguments.try_contains_id(key.flag), Ok(true)))
-        .filter(|key| arguments.value_source(key.flag) == Some(ValueSource::CommandLine))
-        .filter_map(|key| Some((key.flag, arguments.get_one::<String>(key.flag)?.as_str())))
+        .flat_map(|key| iter::once(key.flag).chain(key.other_flag()))
+        .filter(|flag| matches!(arguments.try_contains_id(flag), Ok(true)))
+        .filter(|flag| arguments.value_source(flag) == Some(ValueSource::CommandLine))
+        .filter_map(|flag| Some((flag, arguments.get_one::<String>(flag)?.as_str())))
         .collect()
 }
 

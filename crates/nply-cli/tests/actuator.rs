@@ -175,3 +175,18 @@ fn a_stroke_a_torque_and_a_tension_give_their_turns() {
         assert!(answer.code == code && answer.err.contains(said), "{more:?}: {} {}", answer.code, answer.err);
     }
 }
+
+/// Refused by the name that was typed, with the limit of the table, which can be given.
+#[test]
+fn turns_past_the_limit_are_answered_in_the_words_they_were_asked_in() {
+    let base = ["actuator", "--strands", "2", "--diameter", "1 mm", "--strand-length", "0.5 m", "--force", "20 N"];
+    for flag in ["--motor-turns", "--ply-turns"] {
+        let answer = call(&[&base[..], &[flag, "200"]].concat());
+        assert!(answer.code == 1 && answer.err.contains(&format!("`{flag} \"200\"`")), "{}", answer.err);
+        let most = answer.err.split("can take is ").nth(1).unwrap().split(',').next().unwrap();
+        let table = out(&[&base[..], &[flag, most]].concat());
+        assert!(table.contains(&format!("The most turns are {},", most.strip_suffix(" turns").unwrap())), "{table}");
+    }
+    let both = call(&[&base[..], &["--motor-turns", "3", "--ply-turns", "3"]].concat());
+    assert!(both.code == 2 && both.err.contains("cannot be used with"), "{}", both.err);
+}

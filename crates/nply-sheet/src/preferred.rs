@@ -139,6 +139,17 @@ pub(crate) fn six_digits(value: f64) -> String {
     }
 }
 
+/// Six significant digits of a limit greater than 0, the rest cut off: what is printed can be given.
+pub(crate) fn six_digits_within(limit: f64) -> String {
+    const SIX_AND_POINT: usize = 7;
+    let written = format!("{limit:e}");
+    let cut = written.split_once('e').and_then(|(mantissa, ten)| {
+        let kept = mantissa.get(..SIX_AND_POINT).unwrap_or(mantissa);
+        format!("{kept}e{ten}").parse().ok()
+    });
+    six_digits(cut.unwrap_or(limit))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -166,6 +177,20 @@ mod tests {
             let si = Unit::si(dimension);
             assert_eq!(si.dimension(), dimension);
             assert_eq!(Unit::parse(si.as_str()).unwrap().dimension(), dimension);
+        }
+    }
+
+    #[test]
+    fn a_limit_is_never_printed_past_itself() {
+        for (limit, text) in [
+            (117.629_052, "117.629"),
+            (117.628_999, "117.628"),
+            (9.999_999_6, "9.99999"),
+            (100.0, "100"),
+            (0.25, "0.25"),
+            (1.234_567_8e-7, "1.23456e-7"),
+        ] {
+            assert_eq!(six_digits_within(limit), text);
         }
     }
 

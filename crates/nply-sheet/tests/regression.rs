@@ -589,3 +589,24 @@ fn a_column_is_what_it_is_called() {
         assert_eq!(Parameter::named(&parameter.name().replace('_', "-")), Some(parameter));
     }
 }
+
+/// Turns without their sign: no stiffness ratio comes near, and one row does not tell more than two.
+#[test]
+fn a_search_that_runs_off_determines_nothing_of_one_row_either() {
+    let ply = Spec::from_flags([("strands", "2"), ("diameter", "0.03 inch"), ("stiffness-ratio", "1")]).unwrap();
+    let asked = RegressionQuestion { estimate: vec!["stiffness_ratio".to_owned()], ..RegressionQuestion::default() };
+    for (rows, count) in [("8,5.2\n", "fitted to 1 row of"), ("8,5.2\n10,6.5\n", "fitted to 2 rows of")] {
+        let table = format!("turns_per_length [tpi],ply_turns_per_length [tpi]\n{rows}");
+        let data = Measurements::read("plied.csv", table.as_bytes()).unwrap();
+        let report = RegressionReport::of(&ply, &data, &asked).unwrap();
+        assert!(!report.answer().estimates[0].determined);
+        let text = report.text(false);
+        assert!(text.contains("–  not determined") && text.contains(count), "{text}");
+    }
+    // with its sign one row determines it, though nothing tells how well
+    let table = "turns_per_length [tpi],ply_turns_per_length [tpi]\n8,-5.2\n";
+    let data = Measurements::read("plied.csv", table.as_bytes()).unwrap();
+    let report = RegressionReport::of(&ply, &data, &asked).unwrap();
+    let estimate = report.answer().estimates[0];
+    assert!(estimate.determined && estimate.standard_error.is_none());
+}

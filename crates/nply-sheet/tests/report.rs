@@ -285,6 +285,7 @@ fn the_upper_bound_is_of_solid_strands() {
     let (report, _) = self::report(&molecule);
     let text = report.text(false);
     assert!(text.contains("bending stiffness, strands sliding") && !text.contains("locked"), "{text}");
+    assert!(text.contains("hinged ends: lower bound") && !text.contains("two bounds"), "{text}");
     assert!(report.notes.iter().any(|note| note.contains("may buckle")), "{:?}", report.notes);
     assert!(report.notes.iter().all(|note| !note.contains("buckles as a whole:")), "{:?}", report.notes);
     let rod: Vec<(&str, &str)> = molecule
@@ -296,7 +297,11 @@ fn the_upper_bound_is_of_solid_strands() {
         })
         .collect();
     let (report, _) = self::report(&rod);
-    assert!(report.text(false).contains("bending stiffness, solid strands locked"));
+    let text = report.text(false);
+    assert!(
+        text.contains("bending stiffness, solid strands locked") && text.contains("hinged ends: two bounds"),
+        "{text}"
+    );
     assert!(report.notes.iter().any(|note| note.contains("buckles as a whole:")), "{:?}", report.notes);
 }
 

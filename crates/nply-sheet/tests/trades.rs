@@ -30,6 +30,9 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
     near(titre("1.5 ktex"), 1.5e-3);
     near(titre("840 den"), 840.0 / 9e6);
     near(titre("840 denier"), 840.0 / 9e6);
+    near(titre("840 D"), 840.0 / 9e6);
+    near(titre("840D"), 840.0 / 9e6);
+    near(titre("70d"), 70.0 / 9e6);
     let pound_per_hank = 0.453_592_37 / (840.0 * 3.0 * 12.0 * 0.0254);
     for (text, kilograms_per_metre) in [
         ("Nm 40", 1e-3 / 40.0),
@@ -51,6 +54,9 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
         ("Nm 2/28", "\"Nm 28\", and 2 strands"),
         ("Ne 40/3", "\"Ne 40\", and 3 strands"),
         ("30/2", "folded count"),
+        ("R 74 tex/2", "folded count, that of a ply: give the count of one strand, \"37 tex\" less"),
+        ("R74 tex / 2", "and 2 strands"),
+        ("R 74 N/0", "number"),
         ("Ne 0", "too large"),
         ("Ne", "number"),
         ("Ne x", "number"),
@@ -60,6 +66,27 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
     }
     // elsewhere Nm is a moment
     assert_eq!(Quantity::parse("40 Nm").unwrap().dimension(), nply_sheet::Dimension::MOMENT);
+}
+
+/// What is written on cones, in handbooks and on spindles, and what to write here.
+#[test]
+fn what_the_trade_writes_is_answered_with_what_is_read() {
+    let base = [("strands", "2"), ("stiffness-ratio", "1")];
+    for (flag, written, hint) in [
+        ("turns-per-length", "1100 T/m", "`tpm`"),
+        ("turns-per-length", "1100 t/m Z", "`tpm`"),
+        ("turns-per-length", "8 turns per inch", "`tpi`"),
+        ("diameter", "33 wpi", "\"0.0303 inch\""),
+        ("density", "1.38 g/cc", "`g/cm^3`"),
+        ("diameter", "12 D", "`lay_ratio`"),
+    ] {
+        let said = Spec::from_flags([&base[..], &[(flag, written)]].concat()).unwrap_err().to_string();
+        assert!(said.contains(hint), "{written}: {said}");
+    }
+    // what is written in place of them is read
+    for text in ["1100 tpm", "8 tpi", "0.0303 inch", "1.38 g/cm^3"] {
+        assert!(Quantity::parse(text).is_ok(), "{text}");
+    }
 }
 
 /// The mass of a round strand of the diameter found is its titre.

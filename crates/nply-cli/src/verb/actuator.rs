@@ -1,10 +1,10 @@
 //! `nply actuator`: strings that a motor twists together under a load.
 
 use clap::{Arg, ArgMatches, Command};
-use nply_sheet::{Key, StringsGoal, StringsReport, Table};
+use nply_sheet::{Key, Kind, StringsGoal, StringsReport, Table};
 
 use super::Verb;
-use crate::arguments::{count, format, json, with_keys};
+use crate::arguments::{count, format, json, value_name, with_keys};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{self, Format};
@@ -50,7 +50,7 @@ fn arguments(command: Command) -> Command {
         _ => false,
     };
     with_keys(command, wanted)
-        .mut_arg("ply-turns", |turns| turns.visible_alias("motor-turns"))
+        .arg(motor_turns())
         .args(GOALS.map(|(name, help)| {
             let others = GOALS.map(|(name, _)| name).into_iter().filter(move |other| *other != name);
             Arg::new(name)
@@ -64,6 +64,16 @@ fn arguments(command: Command) -> Command {
         .arg(format())
         .arg(json())
         .after_help(EXAMPLES)
+}
+
+/// A flag of its own and no alias, so that what is refused is told by the name that was typed.
+fn motor_turns() -> Arg {
+    Arg::new("motor-turns")
+        .long("motor-turns")
+        .value_name(value_name(Kind::Turns))
+        .allow_hyphen_values(true)
+        .conflicts_with("ply-turns")
+        .help("Turns of the motor, another name of --ply-turns")
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {

@@ -7,7 +7,7 @@ use nply::mechanics::{Axial, Ends, Grips, Load, Turning};
 use super::measure::Measure;
 use super::only_one;
 use crate::key::Group;
-use crate::preferred::six_digits;
+use crate::preferred::six_digits_within;
 use crate::spec::{Entry, Spec, Value};
 use crate::{Datum, ErrorKind, Quantity, SpecError};
 
@@ -133,11 +133,9 @@ pub(super) fn as_written(entry: &Entry, rotation: f64, radius: Option<f64>, stra
         Datum::PlyTurnsPerStrandLength => rotation,
         _ => rotation * strand_length.unwrap_or(1.0),
     };
-    // six digits may round up by half of the last
-    let down = whole * (1.0 - 5e-6);
     match &entry.value {
-        Value::Quantity(Quantity::Measured { unit, .. }) => format!("{} {unit}", six_digits(unit.of_si(down))),
-        _ if entry.key.datum == Datum::PlyTurns => format!("{} turns", six_digits(down / TAU)),
-        _ => format!("{} turns per strand radius", six_digits(down / TAU)),
+        Value::Quantity(Quantity::Measured { unit, .. }) => format!("{} {unit}", six_digits_within(unit.of_si(whole))),
+        _ if entry.key.datum == Datum::PlyTurns => format!("{} turns", six_digits_within(whole / TAU)),
+        _ => format!("{} turns per strand radius", six_digits_within(whole / TAU)),
     }
 }

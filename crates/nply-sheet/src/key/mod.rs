@@ -351,6 +351,20 @@ impl Key {
         self
     }
 
+    /// Another name of its flag, which a trade has for it: what turns the ply of strings is their motor.
+    ///
+    /// ```
+    /// use nply_sheet::Spec;
+    /// assert_eq!(Spec::from_flags([("motor-turns", "a few")]).unwrap_err().to_string().find("--motor-turns"), Some(0));
+    /// ```
+    #[must_use]
+    pub const fn other_flag(&self) -> Option<&'static str> {
+        match self.datum {
+            Datum::PlyTurns => Some("motor-turns"),
+            _ => None,
+        }
+    }
+
     /// Whether it can change along a path or over a map: loads, twist, ends, the support's core, the stiffness ratio.
     ///
     /// ```

@@ -67,8 +67,20 @@ pub enum QuantityError {
         /// How many there are.
         strands: u32,
     },
+    /// The resultant count of a ply, `R 74 tex/2`, in place of that of one strand.
+    #[error(
+        "{read} is a folded count, that of a ply: give the count of one strand, \"{at_most}\" less take-up, and {strands} strands"
+    )]
+    Resultant {
+        /// What was read, quoted.
+        read: String,
+        /// The share of one strand in the ply's count. Its own is less: twist shortens the strands, and the ply is the heavier for it.
+        at_most: String,
+        /// How many there are.
+        strands: u32,
+    },
     /// A quantity of another kind than wanted.
-    #[error("{read} is {found}; what is wanted is {wanted}{}", advice(*found))]
+    #[error("{read} is {found}; what is wanted is {wanted}{}", advice(*found, read))]
     WrongDimension {
         /// What was read, quoted.
         read: String,
@@ -88,8 +100,10 @@ fn instead(nearest: Option<&'static str>) -> String {
 }
 
 /// What to do with a quantity that is not asked for anywhere.
-fn advice(found: Dimension) -> &'static str {
+fn advice(found: Dimension, read: &str) -> &'static str {
     match found {
+        // these are tonnes per metre
+        Dimension::LINEAR_DENSITY if read.contains("t/m") => "; turns per metre are written `tpm` or `turns/m`",
         Dimension::LINEAR_DENSITY => "; a titre is given as `linear_density`, with the `density` of the fibre",
         Dimension::MASS => "; for a weight write kgf, tf or lbf",
         Dimension::PER_LENGTH => "; write rad/m or turns/m for a twist",

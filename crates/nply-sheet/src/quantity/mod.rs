@@ -142,7 +142,7 @@ impl Quantity {
         }
     }
 
-    /// A titre: a linear density such as `94 tex`, or a yarn count, which is a length per mass: `Ne 30` or `30 Ne` (hanks of 840 yards
+    /// A titre: a linear density such as `94 tex` or `840 D` (denier, which is `den` elsewhere), or a yarn count, which is a length per mass: `Ne 30` or `30 Ne` (hanks of 840 yards
     /// per pound) and `Nm 40` or `40 Nm` (km per kg), in tex then.
     ///
     /// # Errors
@@ -181,7 +181,14 @@ impl Quantity {
             }
             _ => count.map(|(count, of_one)| (count.to_owned(), of_one)),
         };
-        let Some((count, of_one)) = count else { return Self::parse(text) };
+        let Some((count, of_one)) = count else {
+            if let Some(resultant) = Self::resultant(read) {
+                return Err(resultant);
+            }
+            // a lay in diameters elsewhere
+            let denier = read.strip_suffix(['D', 'd']).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
+            return denier.map_or_else(|| Self::parse(text), |number| Self::parse(&format!("{number}den")));
+        };
         let Self::Bare(number) = Self::parse(&count)? else {
             return Err(QuantityError::NotANumber { read: crate::quoted(read) });
         };
@@ -191,6 +198,17 @@ impl Quantity {
         } else {
             Err(QuantityError::OutOfRange { read: crate::quoted(read) })
         }
+    }
+
+    /// `R 74 tex/2`: 74 tex for a ply of two.
+    fn resultant(read: &str) -> Option<QuantityError> {
+        let (ply, strands) = read.strip_prefix('R')?.split_once('/')?;
+        let strands = strands.trim().parse().ok().filter(|strands| *strands > 1)?;
+        let Ok(Self::Measured { si, unit }) = Self::parse(ply) else { return None };
+        let share = unit.of_si(si / f64::from(strands));
+        let four_digits: f64 = format!("{share:.3e}").parse().unwrap_or(share);
+        let at_most = format!("{four_digits} {unit}");
+        Some(QuantityError::Resultant { read: crate::quoted(read), at_most, strands })
     }
 
     /// The number itself if bare, else the value in SI (m, N, s, rad, K and their products).

@@ -166,7 +166,7 @@ const COMMON: [&str; 14] = ["nm", "µm", "um", "mm", "cm", "km", "pN", "nN", "mN
 /// What some people write for units that have another name here.
 const OTHERWISE: [(&[&str], &str); 3] = [(&["A", "Ang", "ang", "Angs"], "Å"), (&["C"], "°C"), (&["F"], "°F")];
 
-/// Why a word that stands where a unit does is none, and what to write.
+/// Why a word that stands where a unit does, or all that stands there, is none, and what to write.
 pub(super) fn no_unit(word: &str) -> Option<&'static str> {
     match word {
         "bp" | "kbp" | "kb" | "Mbp" | "nt" => {
@@ -174,6 +174,14 @@ pub(super) fn no_unit(word: &str) -> Option<&'static str> {
         }
         "AWG" | "SWG" | "BWG" => Some("a gauge is no unit; write the diameter in mm or in"),
         "d" | "D" | "xd" | "xD" => Some("a lay in diameters is a pure number, `lay_ratio`"),
+        "wpi" | "WPI" => Some(
+            "wraps per inch are no thickness: where 33 lie side by side in an inch, each is 1/33 inch thick, \"0.0303 inch\"",
+        ),
+        "cc" => Some("a cubic centimetre is `cm^3`, and g/cc is `g/cm^3`"),
+        "per" => {
+            Some("write `/` for `per`: turns per inch are `turns/inch` or `tpi`, turns per metre `turns/m` or `tpm`")
+        }
+        "T/m" => Some("turns are written `turns`, and turns per metre `turns/m` or `tpm`"),
         _ => None,
     }
 }

@@ -122,6 +122,9 @@ impl Unit {
         if whole.is_empty() {
             return Err(reader.refuse("it is empty"));
         }
+        if let Some(reason) = no_unit(whole) {
+            return Err(reader.refuse(reason));
+        }
         // "5 /m" and "5 1/m"
         if let Some(rest) = whole.strip_prefix('1').map(str::trim_start).filter(|rest| rest.starts_with('/')) {
             reader.rest = rest;

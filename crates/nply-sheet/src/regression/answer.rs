@@ -194,9 +194,11 @@ pub(super) fn of(
     };
     // a number that may as well be a hundred e-folds greater or less is none
     const MOST: f64 = 100.0;
-    let spread_of = |k: usize| Some(libm::sqrt(spread.covariance[(k, k)] * scale?));
-    let determined = |k: usize| spread.determines(k) && spread_of(k).is_none_or(|own| own < MOST);
-    let deviation = |k: usize| spread_of(k).filter(|_| determined(k));
+    let spread_of = |k: usize, scale: f64| libm::sqrt(spread.covariance[(k, k)] * scale);
+    // where no freedom is left a fit is exact; one that is not ran off, and what it missed by says how far
+    let missed = scale.unwrap_or(best.chi_squared);
+    let determined = |k: usize| spread.determines(k) && spread_of(k, missed) < MOST;
+    let deviation = |k: usize| scale.map(|scale| spread_of(k, scale)).filter(|_| determined(k));
     let model = &regression.model;
     let value = |k: usize| model.value_at(&best.slots, asked[k]).unwrap_or(f64::NAN);
     // an error of a logarithm is a share of the value; one of the twist, in steps of the size of its slot

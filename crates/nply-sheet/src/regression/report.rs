@@ -312,13 +312,13 @@ impl RegressionReport {
         let model = &self.regression.model;
         let stretch = if model.stretches() { " that stretch" } else { "" };
         let headline = format!(
-            "{title}{} strands{stretch}, {} balance, fitted to {} rows of {}",
+            "{title}{} strands{stretch}, {} balance, fitted to {} of {}",
             model.strands(),
             model.balance().name(),
             if self.regression.left_out.is_empty() {
-                self.answer.rows.len().to_string()
+                format!("{} row{}", self.answer.rows.len(), if self.answer.rows.len() == 1 { "" } else { "s" })
             } else {
-                format!("{} of {}", self.answer.rows.len(), self.lines.len())
+                format!("{} of {} rows", self.answer.rows.len(), self.lines.len())
             },
             self.file.replace(|c: char| c.is_control(), " ")
         );

@@ -44,7 +44,7 @@ impl Section {
             Self::Margin => "Margin to separation and other limits",
             Self::Energy => "Energy of one strand, per strand length",
             Self::Response => "Response to a change of load",
-            Self::Buckling => "Buckling of the ply as a whole, hinged ends: two bounds",
+            Self::Buckling => "Buckling of the ply as a whole, hinged ends",
         }
     }
 }

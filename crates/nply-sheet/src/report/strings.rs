@@ -12,7 +12,7 @@ use super::item::{Item, Reader, item};
 use super::json::header;
 use super::text::{Emphasis, Row, lay_out};
 use super::{Known, Measure};
-use crate::preferred::six_digits;
+use crate::preferred::{six_digits, six_digits_within};
 use crate::{Dimension, ErrorKind, Place, Quantity, SpecError, Strings};
 
 /// Stroke, torque, gear ratio and tension as a motor turns, up to given turns or to the most that go in, beside the formula of a constant
@@ -290,8 +290,8 @@ impl StringsReport {
             format!(
                 "The most turns are {}, at {angle:.4}° and a stroke of {stroke:.2} %: there the torque has no bound, and more do not go \
                  in. The formula of a constant radius goes on to {} turns, {steepest:.2}°.",
-                six_digits(most),
-                six_digits(formula),
+                six_digits_within(most),
+                six_digits_within(formula),
             ),
             if self.strings.strands == 2 {
                 "For two strings that formula, L² = p² + (θr)², is exact up to 45°; beyond, they push each other apart.".to_owned()

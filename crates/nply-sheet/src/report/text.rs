@@ -57,7 +57,7 @@ impl Report {
             for section in Section::ALL {
                 let rows = self.section(section);
                 if !rows.is_empty() {
-                    parts.push((section.heading(), rows));
+                    parts.push((self.heading(section), rows));
                 }
             }
             lay_out(&mut out, &parts, &emphasis);
@@ -66,6 +66,15 @@ impl Report {
             let _ = writeln!(out, "\n{note}");
         }
         out
+    }
+
+    /// The heading of a section; over the bounds on buckling it says whether the upper one, which solid strands alone have, stands too.
+    fn heading(&self, section: Section) -> &'static str {
+        match section {
+            Section::Buckling if self.case.may_be_solid() => "Buckling of the ply as a whole, hinged ends: two bounds",
+            Section::Buckling => "Buckling of the ply as a whole, hinged ends: lower bound",
+            section => section.heading(),
+        }
     }
 
     /// The rows below a heading.

@@ -188,7 +188,7 @@ impl Spec {
         for (flag, value) in flags {
             let flag = flag.strip_prefix("--").unwrap_or(flag);
             let place = Place::Flag(format!("{prefix}{flag}"));
-            let Some(key) = KEYS.iter().find(|key| key.flag == flag) else {
+            let Some(key) = KEYS.iter().find(|key| key.flag == flag || key.other_flag() == Some(flag)) else {
                 let help =
                     nearest(flag, KEYS.iter().map(|key| key.flag)).map(|name| format!("did you mean `--{name}`?"));
                 return Err(SpecError::new(ErrorKind::UnknownKey, place, "this flag is not known")

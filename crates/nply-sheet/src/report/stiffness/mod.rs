@@ -198,10 +198,10 @@ impl StiffnessReport {
             _ => String::new(),
         };
         Some(format!(
-            "The core is taken to keep its round outline whatever presses on it. One of {modulus} does not: as a solid it would give way by {} of what the {wires} on it \
+            "The core is taken to keep its round outline whatever presses on it. One of {modulus} does not: as a solid it would give way by {} what the {wires} on it \
              are strained.{squeezed} A rope or strand on such a core is softer than it says here, until its {wires} lie on each other; without a core (its diameter 0) \
              the answer is that of {wires} that carry each other.",
-            if give < 1.0 { format!("{:.0} %", 100.0 * give) } else { format!("{give:.1} times") }
+            if give < 1.0 { format!("{:.0} % of", 100.0 * give) } else { format!("{give:.1} times") }
         ))
     }
 
