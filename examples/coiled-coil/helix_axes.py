@@ -13,12 +13,23 @@ import sys
 def chains(path):
     """The CA atoms of each chain by residue: the first model, the first of alternate positions, modified residues (HETATM) with the others."""
     found = {}
-    for line in open(path, encoding="ascii", errors="replace"):
+    try:
+        with open(path, encoding="ascii", errors="replace") as file:
+            lines = file.read().split("\n")
+    except OSError as error:
+        sys.exit(f"{path} cannot be read: {error.strerror}")
+    for number, line in enumerate(lines, 1):
         if line.startswith("ENDMDL"):
             break
         # among HETATM, CA in the next column is calcium
         if (line.startswith("ATOM") and line[12:16].strip() == "CA") or (line.startswith("HETATM") and line[12:16] == " CA "):
-            point = [float(line[at : at + 8]) for at in (30, 38, 46)]
+            try:
+                point = [float(line[at : at + 8]) for at in (30, 38, 46)]
+            except ValueError:
+                point = [math.nan]
+            # a line that is cut off within the last coordinate may still read as a number
+            if len(line) < 54 or not all(map(math.isfinite, point)):
+                sys.exit(f"{path}, line {number}: this atom's x, y and z are not three numbers in columns 31 to 54")
             found.setdefault(line[21], {}).setdefault(line[22:27].strip(), point)
     return found
 
@@ -112,17 +123,25 @@ def superhelix(axes):
 
 
 pdb = sys.argv[1] if len(sys.argv) > 1 else "examples/coiled-coil/trimer.pdb"
-wanted = sys.argv[3] if len(sys.argv) > 3 else ""
-axes = {name: axis(name, points) for name, points in chains(pdb).items() if not wanted or name in wanted}
+wanted = sys.argv[3].replace(",", "") if len(sys.argv) > 3 else ""
+found = chains(pdb)
+missing = [name for name in dict.fromkeys(wanted) if name not in found]
+if missing:
+    there = f"its chains are {', '.join(found)}" if found else "it has no CA atom of any chain"
+    sys.exit(f"{pdb} has no chain {' and no chain '.join(missing)}: {there}")
+axes = {name: axis(name, points) for name, points in found.items() if not wanted or name in wanted}
 axes = {name: line for name, line in axes.items() if len(line) > 1}
 if len(axes) < 2:
     sys.exit(f"{pdb}: two or more chains that are alpha-helices are wanted, and {len(axes)} found")
 radius, pitch, against = superhelix(axes)
+if len(sys.argv) > 2:
+    try:
+        with open(sys.argv[2], "w", newline="", encoding="utf-8") as file:
+            rows = csv.writer(file)
+            rows.writerow(["chain", "x [Å]", "y [Å]", "z [Å]"])
+            rows.writerows([name, *(f"{x:.3f}" for x in point)] for name, line in axes.items() for point in line)
+    except OSError as error:
+        sys.exit(f"{sys.argv[2]} cannot be written: {error.strerror}")
 hand = "left" if pitch < 0 else "right"
 turned = f" ({', '.join(against)} against {next(iter(axes))})" if against else ""
 print(f"{len(axes)} helices{turned}, superhelix radius {radius:.3f} Å, pitch {abs(pitch):.1f} Å, {hand}-handed")
-if len(sys.argv) > 2:
-    with open(sys.argv[2], "w", newline="", encoding="utf-8") as file:
-        rows = csv.writer(file)
-        rows.writerow(["chain", "x [Å]", "y [Å]", "z [Å]"])
-        rows.writerows([name, *(f"{x:.3f}" for x in point)] for name, line in axes.items() for point in line)

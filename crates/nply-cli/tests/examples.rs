@@ -495,4 +495,30 @@ fn axes_of_a_coiled_coil_have_the_radius_and_pitch_it_was_made_with() {
     let higher: Vec<[f64; 3]> = two[1].iter().map(|[x, y, z]| [*x, *y, z + 60.0]).collect();
     refused("apart", &[one, atoms('B', 1, &higher)].concat(), "less than 10 Å");
     refused("nothing", &[], "0 found");
+    // files that are damaged, and names that are not there
+    let damaged = |line: String| [&both[..11], &[line], &both[12..]].concat();
+    let no_number = "line 12: this atom's x, y and z are not three numbers";
+    for (name, line) in [
+        ("cut", both[11][..42].to_owned()),
+        ("cut-within-z", both[11][..52].to_owned()),
+        ("overflown", format!("{}********{}", &both[11][..38], &both[11][46..])),
+        ("unknown", format!("{}     nan{}", &both[11][..38], &both[11][46..])),
+    ] {
+        refused(name, &damaged(line), no_number);
+    }
+    let with = |more: &[&str], part: &str| {
+        let said = axes("whole", &both, more).unwrap();
+        assert!(said.code == 1 && said.out.is_empty() && said.err.contains(part), "{more:?}: {}{}", said.out, said.err);
+        assert_eq!(said.err.trim_end().lines().count(), 1, "{more:?}: {}", said.err);
+    };
+    with(&[table.to_str().unwrap(), "AQ"], "has no chain Q: its chains are A, B");
+    let nowhere = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-such-folder").join("axes.csv");
+    with(&[nowhere.to_str().unwrap()], "cannot be written");
+    for path in ["no-such.pdb", "examples"] {
+        let mut program = std::process::Command::new(if cfg!(windows) { "python" } else { "python3" });
+        let said = program.arg("examples/coiled-coil/helix_axes.py").arg(path).current_dir(root()).output().unwrap();
+        let said = command::answer(&said);
+        assert!(said.code == 1 && said.err.starts_with(&format!("{path} cannot be read: ")), "{}", said.err);
+        assert_eq!(said.err.trim_end().lines().count(), 1, "{}", said.err);
+    }
 }

@@ -145,3 +145,22 @@ fn a_plot_takes_the_letters_of_the_hands() {
     let (all, touching) = (drawn("all.csv", &[]), drawn("touching.csv", &["--touching"]));
     assert!(all.contains(",true,") && !touching.contains(",true,") && touching.contains(",false,"));
 }
+
+/// Strands twisted to the right wind to the left when they are let go: of right-handed plies that touch there is nothing, and that is said.
+/// As with every question, that there is no state is an answer.
+#[test]
+fn a_plot_of_nothing_says_so() {
+    let plot =
+        ["plot", "--strands", "3", "--stiffness-ratio", "0.75", "--sweep", "pretwist=1..3", "--ask", "helical_angle"];
+    let file = folder("nothing").join("a.csv").display().to_string();
+    for more in [&["--hand", "Z"][..], &["--hand", "right", "--output", &file]] {
+        let answer = call(&[&plot[..], &["--touching"], more].concat());
+        assert_eq!(answer.code, 0, "{}", answer.err);
+        let said = "note: nowhere in the range is there a state of right-handed (Z) plies with touching strands";
+        assert!(answer.err.starts_with(said) && answer.err.lines().count() == 1, "{}", answer.err);
+    }
+    assert_eq!(fs::read_to_string(&file).unwrap().lines().count(), 1);
+    for more in [&["--touching", "--hand", "S"][..], &["--hand", "Z"]] {
+        assert_eq!(call(&[&plot[..], more].concat()).err, "");
+    }
+}

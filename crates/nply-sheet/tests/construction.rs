@@ -113,6 +113,12 @@ fn a_mistake_is_said_in_a_sentence_at_its_place() {
         ("\"Aluminum\"", "\"wood\"", WrongType, "the materials are steel, galvanised steel, aluminium, copper"),
         ("poissons_ratio = 0.33", "poissons_ratio = 0.51", Domain, "greater than -1 and at most 0.5"),
         ("lay_ratio = 12", "lay_ratio = 12\nlay_angle = \"9 deg\"", Contradiction, "both give the lay of a layer"),
+        (
+            "material = \"galvanised steel\"",
+            "fibre = true\ntensile_strength = \"1770 MPa\"",
+            Contradiction,
+            "`tensile_strength = \"1770 MPa\"` goes nowhere beside `fibre = true`: a core of fibre does not count",
+        ),
         ("diameter = \"4 mm\"", "diameter_ratio = 1.02", Contradiction, "is for finding sizes with `nply fit-check`"),
     ] {
         assert!(STRAND.contains(from), "{from}");

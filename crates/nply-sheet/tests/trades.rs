@@ -44,6 +44,7 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
         ("30Ne", pound_per_hank / 30.0),
         ("Ne 30/1", pound_per_hank / 30.0),
         ("Nm 1/40", 1e-3 / 40.0),
+        ("Ne 1/30", pound_per_hank / 30.0),
     ] {
         near(titre(text), kilograms_per_metre);
     }
@@ -53,16 +54,24 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
         ("Ne 30/2", "\"Ne 30\", and 2 strands"),
         ("Nm 2/28", "\"Nm 28\", and 2 strands"),
         ("Ne 40/3", "\"Ne 40\", and 3 strands"),
-        ("30/2", "folded count"),
         ("R 74 tex/2", "folded count, that of a ply: give the count of one strand, \"37 tex\" less"),
         ("R74 tex / 2", "and 2 strands"),
         ("R 74 N/0", "number"),
+        ("30/2", "\"Ne 30\" (cotton, hanks of 840 yards per pound) or \"Nm 30\" (metric, km per kg), and 2 strands"),
+        ("30/1", "in which system"),
+        // a weaver's 2/30 is two of 30, whatever system it is counted in
+        ("2/30 Ne", "\"Ne 30\", and 2 strands"),
+        ("Ne 2/30", "\"Ne 30\", and 2 strands"),
         ("Ne 0", "too large"),
         ("Ne", "number"),
         ("Ne x", "number"),
     ] {
         let said = Quantity::parse_linear_density(text).unwrap_err().to_string();
         assert!(said.contains(part), "{text}: {said}");
+    }
+    for (text, part) in [("30/1", "folded"), ("30/1", " strand"), ("Ne 30/0", "0 strands"), ("Ne 30/0", "Ne 0")] {
+        let said = Quantity::parse_linear_density(text).unwrap_err().to_string();
+        assert!(!said.contains(part), "{text}: {said}");
     }
     // elsewhere Nm is a moment
     assert_eq!(Quantity::parse("40 Nm").unwrap().dimension(), nply_sheet::Dimension::MOMENT);

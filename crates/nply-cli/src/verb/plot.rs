@@ -120,6 +120,9 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     };
     let graph = input.spec.check_graph(&flags).map_err(|error| input.refused(error))?;
     let curves = graph.curves();
+    if let Some(why) = graph.nothing(&curves) {
+        output::note(&why);
+    }
     let output = arguments.get_one::<String>("output");
     if let Some(path) = output {
         if Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {

@@ -317,6 +317,15 @@ fn stuff(entries: &[Entry]) -> Result<Stuff, SpecError> {
         let message = format!("{} and {} contradict each other: remove one of the two", metal.said(), fibre.said());
         return Err(fibre.error(ErrorKind::Contradiction, message));
     }
+    // its section counts not for the breaking load: a strength of it would go nowhere
+    if let (Some(fibre), Some(strength)) = (fibre, named("tensile_strength")) {
+        let message = format!(
+            "{} goes nowhere beside {}: a core of fibre does not count for the breaking load; remove one of the two",
+            strength.said(),
+            fibre.said()
+        );
+        return Err(fibre.error(ErrorKind::Contradiction, message));
+    }
     let poisson = entries.iter().find(|entry| entry.key.name == "poissons_ratio");
     let poissons_ratio = poisson.map(Entry::number);
     if let (Some(entry), Some(nu)) = (poisson, poissons_ratio)

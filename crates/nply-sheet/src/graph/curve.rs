@@ -54,6 +54,35 @@ impl Graph {
         curves
     }
 
+    /// What is to be said where no state was found to draw; `None` where there is one.
+    ///
+    /// ```
+    /// use nply::Handedness;
+    /// use nply_sheet::{Spec, graph::GraphFlags};
+    /// let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")])?;
+    /// let released = GraphFlags { sweep: "pretwist=1..3".into(), ask: vec!["helical_angle".into()], touching: true, ..GraphFlags::default() };
+    /// // strands twisted to the right wind to the left when they are let go
+    /// let right = ply.check_graph(&GraphFlags { hands: vec![Handedness::Right], ..released.clone() })?;
+    /// let said = "nowhere in the range is there a state of right-handed (Z) plies with touching strands, and nothing to draw";
+    /// assert_eq!(right.nothing(&right.curves()).as_deref(), Some(said));
+    /// let left = ply.check_graph(&GraphFlags { hands: vec![Handedness::Left], ..released })?;
+    /// assert_eq!(left.nothing(&left.curves()), None);
+    /// # Ok::<(), nply_sheet::SpecError>(())
+    /// ```
+    #[must_use]
+    pub fn nothing(&self, curves: &[GraphCurve]) -> Option<String> {
+        if curves.iter().any(|curve| !curve.points.is_empty()) {
+            return None;
+        }
+        let plies = match self.hands[..] {
+            [Handedness::Right] => " of right-handed (Z) plies",
+            [Handedness::Left] => " of left-handed (S) plies",
+            _ => "",
+        };
+        let touching = if self.touching { " with touching strands" } else { "" };
+        Some(format!("nowhere in the range is there a state{plies}{touching}, and nothing to draw"))
+    }
+
     fn follow(&self, series: &Series, hand: Handedness, k: usize, curves: &mut Vec<GraphCurve>) {
         let course = &series.course;
         let at = |parameter: f64| course.at(hand, k, parameter);

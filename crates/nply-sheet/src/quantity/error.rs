@@ -56,15 +56,23 @@ pub enum QuantityError {
         reason: &'static str,
     },
     /// A count of a ply in place of that of one strand.
-    #[error(
-        "{read} is a folded count, that of a ply: give the count of one strand, \"{single}\", and {strands} strands"
-    )]
+    #[error("{read} is a folded count, that of a ply: give the count of one strand, \"{single}\"{}", beside(*.strands))]
     Folded {
         /// What was read, quoted.
         read: String,
         /// The count of one strand.
         single: String,
-        /// How many there are.
+        /// How many there are; 0 where that is what was written.
+        strands: u32,
+    },
+    /// A count without its system.
+    #[error("{read} does not say in which system it counts: write \"Ne {count}\" (cotton, hanks of 840 yards per pound) or \"Nm {count}\" (metric, km per kg){}", beside(*.strands))]
+    CountOfNoSystem {
+        /// What was read, quoted.
+        read: String,
+        /// The count of one strand.
+        count: u32,
+        /// How many there are; 1 for a single.
         strands: u32,
     },
     /// The resultant count of a ply, `R 74 tex/2`, in place of that of one strand.
@@ -89,6 +97,14 @@ pub enum QuantityError {
         /// What was wanted, with an example: `a length, such as "0.5 mm"`.
         wanted: &'static str,
     },
+}
+
+/// The strands that a folded count says, where it says any.
+fn beside(strands: u32) -> String {
+    match strands {
+        0 | 1 => String::new(),
+        strands => format!(", and {strands} strands"),
+    }
 }
 
 /// What to write for a unit that is not known.

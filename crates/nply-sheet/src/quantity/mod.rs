@@ -164,18 +164,25 @@ impl Quantity {
             let behind = || read.strip_suffix(name).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
             Some((before.or_else(behind)?.trim(), of_one))
         });
-        // 30/2, with or without the name of its count; the metric count has the fold before it, 2/28. Of one, it is the single's
+        // 30/2, with or without the name of its count; metric counts have the fold before it, 2/28, and weavers write cotton ones so too.
+        // No yarn is folded of more strands than its count, so that the smaller is the fold. Of one, it is the single's
         let name = ["NeC", "Ne", "Nm"].into_iter().find(|name| count.is_some() && read.contains(name));
         let parts = count.map_or(read, |(count, _)| count).split_once('/');
         let count = match parts.map(|(a, b)| (a.trim().parse::<u32>(), b.trim().parse::<u32>())) {
             Some((Ok(first), Ok(second))) => {
-                let (number, fold) =
-                    if name == Some("Nm") && first < second { (second, first) } else { (first, second) };
-                match (count, fold) {
+                let (number, strands) = if (1..second).contains(&first) { (second, first) } else { (first, second) };
+                match (count, strands) {
                     (Some((_, of_one)), 1) => Some((number.to_string(), of_one)),
-                    (_, strands) => {
+                    (Some(_), strands) => {
                         let single = format!("{} {number}", name.unwrap_or("Ne"));
                         return Err(QuantityError::Folded { read: crate::quoted(read), single, strands });
+                    }
+                    (None, strands) => {
+                        return Err(QuantityError::CountOfNoSystem {
+                            read: crate::quoted(read),
+                            count: number,
+                            strands,
+                        });
                     }
                 }
             }

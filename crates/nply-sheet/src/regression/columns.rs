@@ -526,7 +526,9 @@ impl<'t> Reader<'t> {
                 .or_else(|_| Ok(Quantity::Measured { si: unit.to_si(value), unit: unit.clone() })),
             (read, _) => read,
         };
-        let quantity = quantity.map_err(|why: QuantityError| refuse(why.to_string()))?;
+        let quantity = quantity.map_err(|why: QuantityError| {
+            refuse(of_no_hand(head, &point, cell.text).unwrap_or_else(|| why.to_string()))
+        })?;
         match hand::signed(quantity, text, letter).map_err(refuse)? {
             Quantity::Bare(value) => Ok(value * of_bare(head.given)),
             Quantity::Measured { si, unit: own } => {
@@ -553,6 +555,20 @@ fn has_letter(head: &Head) -> bool {
             Given::State(observable) => observable.is_signed(),
             Given::Twist(_) => true,
         }
+}
+
+/// What is to be said of a number with S or Z where a column takes neither.
+fn of_no_hand(head: &Head, text: &str, written: &str) -> Option<String> {
+    let (number, Some(_)) = hand::split(text) else { return None };
+    Quantity::parse(number).ok()?;
+    let written = quoted(written);
+    Some(match head.given {
+        _ if head.error => format!("{written} says a hand, and an error has none: write it without the letter"),
+        Given::State(Observable::Moment) => format!(
+            "{written} says a hand, and this column has none but a sign: write it without the letter, positive where it turns to the right"
+        ),
+        _ => format!("{written} says a hand, and this column has none: write it without the letter"),
+    })
 }
 
 /// `N_mm` and `turns_per_m` as units.

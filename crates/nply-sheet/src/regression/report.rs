@@ -245,7 +245,15 @@ fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecEr
         let (name, error) = text.split_once('=').ok_or_else(wrong)?;
         Ok((name.trim().replace('-', "_"), error.trim().to_owned()))
     };
-    question.errors.iter().map(apart).collect()
+    let errors: Vec<(String, String)> = question.errors.iter().map(apart).collect::<Result<_, _>>()?;
+    for (at, (name, error)) in errors.iter().enumerate() {
+        if let Some((_, first)) = errors.iter().take(at).find(|(other, _)| other == name) {
+            let message =
+                format!("{name} has two errors, {} and {}: keep one", crate::quoted(first), crate::quoted(error));
+            return Err(SpecError::new(ErrorKind::Contradiction, Place::Flag("error".to_owned()), message));
+        }
+    }
+    Ok(errors)
 }
 
 fn roles(question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {

@@ -74,6 +74,10 @@ pub(super) fn is_limit(angle: f64) -> bool {
 
 /// The least and the greatest number that plies of some strands have, whatever their angle and their loads, strands that do not stretch.
 pub(super) fn reach(model: &Model, charted: &Ply, strand: &Strand, observable: Observable) -> Option<[f64; 2]> {
+    // angles end at straight strands and flat rings themselves, beside which the last steps are
+    if let Observable::HelicalAngle | Observable::LayAngle | Observable::PitchAngle = observable {
+        return Some([0.0, core::f64::consts::FRAC_PI_2]);
+    }
     const STEPS: u32 = 400;
     let at = |hand: Handedness, step: u32| {
         // close together at both ends, where most have their least and greatest
