@@ -1,6 +1,8 @@
 """Axes of the alpha-helices of a coiled coil, their superhelix radius and pitch, from the CA atoms of a PDB file.
 
-python3 examples/coiled-coil/helix_axes.py [FILE.pdb [AXES.csv]]
+python3 examples/coiled-coil/helix_axes.py [FILE.pdb [AXES.csv [CHAINS]]]
+
+Each chain is one helix; CHAINS, such as AB, says which of them belong together. They may be parallel or antiparallel and begin at any residue.
 """
 
 import csv
@@ -9,50 +11,116 @@ import sys
 
 
 def chains(path):
-    """The CA atoms of each chain, in order."""
+    """The CA atoms of each chain by residue: the first model, the first of alternate positions, modified residues (HETATM) with the others."""
     found = {}
-    for line in open(path, encoding="ascii"):
-        if line.startswith("ATOM") and line[12:16].strip() == "CA":
-            point = tuple(float(line[at : at + 8]) for at in (30, 38, 46))
-            found.setdefault(line[21], []).append(point)
+    for line in open(path, encoding="ascii", errors="replace"):
+        if line.startswith("ENDMDL"):
+            break
+        # among HETATM, CA in the next column is calcium
+        if (line.startswith("ATOM") and line[12:16].strip() == "CA") or (line.startswith("HETATM") and line[12:16] == " CA "):
+            point = [float(line[at : at + 8]) for at in (30, 38, 46)]
+            found.setdefault(line[21], {}).setdefault(line[22:27].strip(), point)
     return found
 
 
-def axis(points):
+def less(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def unit(a):
+    return [x / math.hypot(*a) for x in a]
+
+
+def mean(points):
+    return [sum(part) / len(points) for part in zip(*points)]
+
+
+def axis(chain, points):
     """Points on a helix's axis, one between each four residues: the bisectors of two bends meet on it."""
-    line = []
-    for a, b, c, d in zip(points, points[1:], points[2:], points[3:]):
+    line, left_out = [], []
+    names, points = list(points), list(points.values())
+    for name, a, b, c, d in zip(names, points, points[1:], points[2:], points[3:]):
         v = [x - 2 * y + z for x, y, z in zip(a, b, c)]
         w = [x - 2 * y + z for x, y, z in zip(b, c, d)]
         long, wide = math.hypot(*v), math.hypot(*w)
-        turn = sum(x * y for x, y in zip(v, w)) / (long * wide)
+        turn = dot(v, w) / (long * wide) if long * wide > 0 else 1
+        # CA atoms lie 3.8 Å apart, and the helix turns by 100° between them: where it does not there is a gap, a loop or an end
+        if max(math.dist(a, b), math.dist(b, c), math.dist(c, d)) > 4.3 or not -0.5 < turn < 0.2:
+            left_out.append(name)
+            continue
         radius = math.sqrt(long * wide) / (2 * (1 - turn))
         line.append([(x + radius * p / long + y + radius * q / wide) / 2 for x, p, y, q in zip(b, v, c, w)])
+    if left_out:
+        print(f"chain {chain}: no alpha-helix in the four residues from {', '.join(left_out)}; left out", file=sys.stderr)
     return line
 
 
-def superhelix(lines):
-    """Mean radius about the middle line of all axes, and pitch; negative where it is left-handed."""
-    middle = [[sum(part) / len(lines) for part in zip(*points)] for points in zip(*lines)]
-    along = [b - a for a, b in zip(middle[0], middle[-1])]
-    length = math.hypot(*along)
-    along = [x / length for x in along]
-    radii, turned = [], 0.0
-    for line in lines:
-        arms = [[p - m for p, m in zip(point, centre)] for point, centre in zip(line, middle)]
-        radii += [math.hypot(*arm) for arm in arms]
-        for u, v in zip(arms, arms[1:]):
-            cross = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-            turned += math.atan2(sum(x * y for x, y in zip(cross, along)), sum(x * y for x, y in zip(u, v)))
-    return sum(radii) / len(radii), 2 * math.pi * length / (turned / len(lines))
+def crossing(line, along, level):
+    """Where a line passes a height along the superhelix axis."""
+    for a, b in zip(line, line[1:]):
+        low, high = dot(a, along), dot(b, along)
+        if low <= level <= high and low < high:
+            return [x + (level - low) / (high - low) * (y - x) for x, y in zip(a, b)]
+    return line[-1]
+
+
+def superhelix(axes):
+    """Mean radius about the middle line of all axes, pitch, negative where it is left-handed, and the chains that run against the first.
+
+    Axes are compared where they pass the same height, whichever residues those are; the heights are along the middle line itself.
+    """
+    names, lines = list(axes), list(axes.values())
+    for name, line in axes.items():
+        if math.dist(line[0], line[-1]) < 0.7 * sum(math.dist(a, b) for a, b in zip(line, line[1:])):
+            sys.exit(f"chain {name} turns back: each chain is to be one helix; cut the file into helices")
+    ends = [less(line[-1], line[0]) for line in lines]
+    against = [name for name, end in zip(names, ends) if dot(end, ends[0]) < 0]
+    lines = [line[::-1] if name in against else line for name, line in zip(names, lines)]
+    along = unit(mean([less(line[-1], line[0]) for line in lines]))
+    for _ in range(8):
+        low = max(dot(line[0], along) for line in lines)
+        high = min(dot(line[-1], along) for line in lines)
+        if high - low < 10:
+            sys.exit("the helices lie beside each other over less than 10 Å: name those that belong together, such as AB")
+        levels = [low + (high - low) * i / 40 for i in range(41)]
+        cuts = [[crossing(line, along, level) for line in lines] for level in levels]
+        along = unit(less(mean(cuts[-1]), mean(cuts[0])))
+    aside = unit(less(cuts[0][0], mean(cuts[0])))
+    up = [along[1] * aside[2] - along[2] * aside[1], along[2] * aside[0] - along[0] * aside[2], along[0] * aside[1] - along[1] * aside[0]]
+    radii, slopes, places = [], [], []
+    for k in range(len(lines)):
+        arms = [less(cut[k], mean(cut)) for cut in cuts]
+        radii.append(sum(math.hypot(*arm) for arm in arms) / len(arms))
+        angles = [math.atan2(dot(arm, up), dot(arm, aside)) for arm in arms]
+        for i in range(1, len(angles)):
+            angles[i] -= math.tau * round((angles[i] - angles[i - 1]) / math.tau)
+        middle, height = sum(angles) / len(angles), (low + high) / 2
+        slopes.append(sum((a - middle) * (z - height) for a, z in zip(angles, levels)) / sum((z - height) ** 2 for z in levels))
+        places.append(middle % math.tau)
+    radius, slope = sum(radii) / len(radii), sum(slopes) / len(slopes)
+    places.sort()
+    gaps = [(b - a) * len(lines) / math.tau for a, b in zip(places, [*places[1:], places[0] + math.tau])]
+    if max(radii) > 1.3 * min(radii) or min(gaps) < 0.6 or max(gaps) > 1.4:
+        sys.exit("the helices do not stand evenly about one axis: name those that belong together, such as AB")
+    if any(abs(one - slope) > 0.5 * abs(slope) for one in slopes) or slope == 0:
+        sys.exit("the helices do not wind about one axis alike: there is no pitch to be said")
+    return radius, math.tau / slope, against
 
 
 pdb = sys.argv[1] if len(sys.argv) > 1 else "examples/coiled-coil/trimer.pdb"
-found = chains(pdb)
-axes = {name: axis(points) for name, points in found.items()}
-radius, pitch = superhelix(list(axes.values()))
+wanted = sys.argv[3] if len(sys.argv) > 3 else ""
+axes = {name: axis(name, points) for name, points in chains(pdb).items() if not wanted or name in wanted}
+axes = {name: line for name, line in axes.items() if len(line) > 1}
+if len(axes) < 2:
+    sys.exit(f"{pdb}: two or more chains that are alpha-helices are wanted, and {len(axes)} found")
+radius, pitch, against = superhelix(axes)
 hand = "left" if pitch < 0 else "right"
-print(f"{len(axes)} helices, superhelix radius {radius:.3f} Å, pitch {abs(pitch):.1f} Å, {hand}-handed")
+turned = f" ({', '.join(against)} against {next(iter(axes))})" if against else ""
+print(f"{len(axes)} helices{turned}, superhelix radius {radius:.3f} Å, pitch {abs(pitch):.1f} Å, {hand}-handed")
 if len(sys.argv) > 2:
     with open(sys.argv[2], "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)

@@ -53,6 +53,8 @@ pub(crate) fn with_construction_keys(command: Command, wanted: impl Fn(&Key) -> 
     CONSTRUCTION_KEYS.iter().filter(|key| wanted(key)).fold(command.arg(file), |command, key| {
         let flag = Arg::new(key.flag).long(key.flag).help(key.help).help_heading(heading(key.table));
         let flag = if key.table == Table::Layer { flag.action(ArgAction::Append) } else { flag };
+        // a layer's key is `wires` in a file
+        let flag = if key.name == "wires" { flag.visible_alias(key.name) } else { flag };
         command.arg(match key.kind {
             Kind::Switch => flag.num_args(0..=1).default_missing_value("true").value_name("true|false"),
             _ => flag.allow_hyphen_values(true).value_name(value_name(key.kind)),

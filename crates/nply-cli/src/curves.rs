@@ -60,6 +60,15 @@ pub(crate) fn with_files(command: Command) -> Command {
         )
         .arg(flag("closed", "Join the last point of every curve to its first").conflicts_with("open"))
         .arg(flag("open", "Take every curve as open"))
+        .arg(
+            Arg::new("reverse")
+                .long("reverse")
+                .value_name("CURVE")
+                .action(ArgAction::Append)
+                .allow_hyphen_values(true)
+                .help("Read this curve, by its name in the report, from its last point to its first (repeatable)")
+                .help_heading("Curves"),
+        )
         .arg(interrupt::jobs())
         .arg(Arg::new("quiet").long("quiet").short('q').action(ArgAction::SetTrue).help("No progress bar"))
 }
@@ -84,7 +93,11 @@ pub(crate) fn read(arguments: &ArgMatches) -> Result<CurveSet, Failure> {
         _ => Closing::AsWritten,
     };
     let unit = arguments.get_one::<String>("unit").map(String::as_str);
-    CurveSet::of(files, unit, closing).map_err(|error| Failure::Refused(error, String::new()))
+    let backwards: Vec<&str> =
+        arguments.get_many::<String>("reverse").into_iter().flatten().map(String::as_str).collect();
+    CurveSet::of(files, unit, closing)
+        .and_then(|set| set.reversed(&backwards))
+        .map_err(|error| Failure::Refused(error, String::new()))
 }
 
 fn load(file: impl io::Read) -> io::Result<Vec<u8>> {

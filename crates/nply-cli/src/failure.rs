@@ -81,7 +81,9 @@ impl Failure {
     }
 
     /// Help and version go to standard output with status 0, anything else to standard error with status 2.
-    pub(crate) fn usage(error: &clap::Error) -> ExitCode {
+    pub(crate) fn usage(mut error: clap::Error) -> ExitCode {
+        // a flag that is not known is no value: a tip to pass it as one leads nowhere
+        error.remove(clap::error::ContextKind::Suggested);
         let _ = error.print();
         ExitCode::from(if error.use_stderr() { USAGE } else { 0 })
     }

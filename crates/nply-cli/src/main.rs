@@ -30,7 +30,7 @@ fn main() -> ExitCode {
     end_at_a_panic();
     let matches = match verb::command().try_get_matches() {
         Ok(matches) => matches,
-        Err(error) => return Failure::usage(&error),
+        Err(error) => return Failure::usage(error),
     };
     match verb::run(&matches) {
         Ok(()) => ExitCode::SUCCESS,

@@ -144,3 +144,30 @@ fn what_no_strings_do_is_refused() {
     let answer = call(&["actuator", "--strands", "2", "--diameter", "1 mm", "--force", "20 N"]);
     assert!(answer.code == 2 && answer.err.contains("length of the strings"), "{}", answer.err);
 }
+
+/// Asked backwards: turns for a stroke, a torque and a tension, of two strings by p = √(L² − θ²r²), torque = F θ r²/p, tension = F L/(2p).
+#[test]
+fn a_stroke_a_torque_and_a_tension_give_their_turns() {
+    let (length, radius, force) = (0.5_f64, 0.5e-3, 20.0);
+    let last = |more: &[&str]| steps(&actuator("2", more)).last().unwrap().clone();
+    let turns = |p: f64| (length * length - p * p).sqrt() / radius / TAU;
+    near(number(&last(&["--stroke", "100 mm"]), "motor_turns"), turns(0.4), 1e-11);
+    near(number(&last(&["--tension", "12.5 N"]), "motor_turns"), turns(0.5 * force * length / 12.5), 1e-11);
+    // θ² (F²r⁴ + M²r²) = M²L²
+    let moment = 5e-3;
+    let theta = moment * length / ((force * radius * radius).powi(2) + (moment * radius).powi(2)).sqrt();
+    near(number(&last(&["--torque", "5 N mm"]), "motor_turns"), theta / TAU, 1e-11);
+    // more strings and back: no formula, but the same stroke
+    let three = actuator("3", &["--stroke", "100 mm"]);
+    near(number(steps(&three).last().unwrap(), "stroke"), 0.1, 1e-12);
+    let base = ["actuator", "--strands", "2", "--diameter", "1 mm", "--strand-length", "0.5 m", "--force", "20 N"];
+    for (more, code, said) in [
+        (&["--stroke", "0.4 m"][..], 1, "the most turns are a stroke of"),
+        (&["--tension", "9 N"], 1, "before any turn"),
+        (&["--torque", "9 N"], 2, "is no torque"),
+        (&["--stroke", "9 mm", "--motor-turns", "3"], 2, "leave one of them out"),
+    ] {
+        let answer = call(&[&base[..], more].concat());
+        assert!(answer.code == code && answer.err.contains(said), "{more:?}: {} {}", answer.code, answer.err);
+    }
+}

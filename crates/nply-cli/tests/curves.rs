@@ -317,6 +317,50 @@ fn twist_and_writhe_of_a_ribbon_make_its_link() {
     assert!(found.code == 1 && found.err.contains("make no ribbon"), "{}", found.err);
 }
 
+/// A circle of B-DNA: two right-handed strands of 10 Å about a ring of 336 base pairs with 32 turns. Its link is 32 where both strands run the same way,
+/// and −32 as a PDB file has them, each from 5′ to 3′.
+#[test]
+fn strands_of_a_duplex_run_against_each_other() {
+    let (pairs, turns, ring) = (336, 32.0, 336.0 * 3.4 / TAU);
+    let strand = |offset: f64| {
+        sampled(pairs, |u| {
+            let (s, t) = (TAU * u, TAU * turns * u + offset);
+            let out = ring + 10.0 * t.sin();
+            [out * s.cos(), out * s.sin(), 10.0 * t.cos()]
+        })
+    };
+    let mut lines = String::new();
+    let mut other = strand(2.5);
+    other.reverse();
+    for (chain, points) in [('A', strand(0.0)), ('B', other)] {
+        for (k, [x, y, z]) in points.iter().enumerate() {
+            lines += &format!("ATOM  {:5}  P    DA {chain}{:4}    {x:8.3}{y:8.3}{z:8.3}  1.00\n", k + 1, k + 1);
+        }
+        lines += "TER\n";
+    }
+    let path = file("minicircle.pdb", &lines);
+    let link =
+        |more: &[&str]| json(&[&["link", &path, "--closed", "--json"], more].concat())["linking_numbers"][0][1].clone();
+    assert_eq!((link(&[]), link(&["--reverse", "B"])), ((-32).into(), 32.into()));
+    assert_eq!(link(&["--reverse", "A", "--reverse", "B"]), -32);
+    // as a ribbon the strands that run against each other are none, which is said; else its sum holds
+    let said = |more: &[&str]| {
+        let report = json(&[&["writhe", &path, "--ribbon", "--closed", "--json"], more].concat());
+        let notes = report["notes"].to_string();
+        (number(&report, "twist_plus_writhe"), report["linking_number"].as_i64().unwrap(), notes)
+    };
+    let (sum, link, notes) = said(&[]);
+    assert!((sum - link as f64).abs() > 0.5, "{sum} {link}");
+    assert!(notes.contains("bound no ribbon") && !notes.contains("is the sum of its"), "{notes}");
+    assert!(notes.contains("--reverse \\\"B\\\""), "{notes}");
+    let (sum, link, notes) = said(&["--reverse", "B"]);
+    assert!((sum - 32.0).abs() < 1e-9 && link == 32, "{sum} {link}");
+    assert!(notes.contains("is the sum of its") && !notes.contains("bound no ribbon"), "{notes}");
+    assert!(notes.contains("from its last point to its first"), "{notes}");
+    let wrong = call(&["link", &path, "--reverse", "C"]);
+    assert!(wrong.code == 2 && wrong.err.contains("none of the curves, which are \"A\", \"B\""), "{}", wrong.err);
+}
+
 #[test]
 fn closed_or_open_is_said() {
     let triangle = "0 0 0\n1 0 0\n0 1 0\n";

@@ -152,3 +152,161 @@ fn what_is_wrong_is_said_at_its_place_and_nothing_is_written() {
     assert!(same.code == 2 && same.err.contains("same file") && !root().join("a.svg").exists(), "{}", same.err);
     fs::remove_dir_all(folder).unwrap();
 }
+
+/// A class counts coils, not signed coils: strands twisted Z wind into an S ply, and counts without the sign fit no touching state.
+#[test]
+fn counts_without_their_sign_give_no_value() {
+    let rows = [(5, 5.0), (10, 9.0), (15, 12.5), (20, 15.0), (30, 18.0)];
+    let fit = |sign: f64, head: &str| {
+        let mut text = format!("{head}\n");
+        for (twist, coils) in rows {
+            text += &format!("{twist},{}\n", sign * coils);
+        }
+        let ply = ["--strands", "3", "--diameter", "6 mm", "--stiffness-ratio", "1", "--estimate", "stiffness_ratio"];
+        call_with(&[&["fit", "-", "--json"], &ply[..]].concat(), text.as_bytes())
+    };
+    let head = "turns_per_length [turns/m],ply_turns_per_strand_length [turns/m]";
+    let counted: Value = serde_json::from_str(&fit(1.0, head).out).unwrap();
+    assert_eq!(estimate(&counted, "stiffness_ratio")["value"], Value::Null);
+    let signed: Value = serde_json::from_str(&fit(-1.0, head).out).unwrap();
+    let ratio = number(estimate(&signed, "stiffness_ratio"), "value");
+    assert!((0.55..0.75).contains(&ratio), "{ratio}"); // a rubber cord's C/B is 2/3 where it is solid
+    // columns by the names of reports, and what to do with those that are none
+    let per_length = fit(-1.0, "turns_per_length [turns/m],turns_per_ply_length [turns/m]");
+    assert_eq!(per_length.code, 0, "{}", per_length.err);
+    let turns = fit(-1.0, "turns,ply_turns_per_strand_length [turns/m]");
+    assert!(turns.code == 2 && turns.err.contains("the twist put in stands in turns_per_length"), "{}", turns.err);
+}
+
+/// Three strands of 0.5 mm, lays to 0.4 %.
+fn lays(table: &str, more: &[&str]) -> command::Answer {
+    let ply =
+        ["fit", "-", "--strands", "3", "--diameter", "0.5 mm", "--stiffness-ratio", "1", "--error", "lay_length=0.4%"];
+    call_with(&[&ply[..], more].concat(), table.as_bytes())
+}
+
+/// The least lay of n touching strands is n strand diameters (flat rings, all in one turn).
+#[test]
+fn what_no_ply_can_have_is_refused_and_not_fitted_at_90_degrees() {
+    let table = "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n400,0.9\n500,3.55\n";
+    let answer = lays(table, &["--estimate", "stiffness_ratio"]);
+    assert_eq!(answer.code, 1, "{}", answer.out);
+    assert!(answer.err.contains("standard input:4:1") && answer.err.contains("0.9 mm"), "{}", answer.err);
+    assert!(answer.err.contains("at least 1.5 mm"), "{}", answer.err);
+}
+
+#[test]
+fn what_is_not_determined_has_no_value() {
+    let table = "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n500,3.55\n";
+    let asked = ["--bending-stiffness", "1 mN mm^2", "--estimate", "stiffness_ratio,bending_stiffness"];
+    let said = lays(table, &asked).out;
+    let line = said.lines().find(|line| line.trim_start().starts_with("bending_stiffness")).unwrap();
+    assert!(line.contains(" –  ") && line.contains("not determined"), "{line}");
+    let report: Value = serde_json::from_str(&lays(table, &[&asked[..], &["--json"]].concat()).out).unwrap();
+    let stiffness = estimate(&report, "bending_stiffness");
+    assert_eq!((&stiffness["value"], &stiffness["standard_error"]), (&Value::Null, &Value::Null));
+    assert!(estimate(&report, "stiffness_ratio")["value"].is_f64());
+}
+
+#[test]
+fn rows_left_out_and_a_row_that_stands_alone_are_named() {
+    let said = lays(
+        "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n,3.31\n500,3.55\n",
+        &["--estimate", "stiffness_ratio"],
+    )
+    .out;
+    assert!(
+        said.contains("fitted to 3 of 4 rows") && said.contains("1 row is left out: no turns_per_length in line 4."),
+        "{said}"
+    );
+    let table = "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n400,5.87\n500,3.55\n";
+    let said = lays(table, &["--estimate", "stiffness_ratio"]).out;
+    assert!(said.contains("Line 4 alone makes") && !said.contains("times as large would explain"), "{said}");
+    // without it the estimate is that of the other rows
+    let without = lays(
+        "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n500,3.55\n",
+        &["--estimate", "stiffness_ratio", "--json"],
+    )
+    .out;
+    let ratio = number(estimate(&serde_json::from_str(&without).unwrap(), "stiffness_ratio"), "value");
+    assert!(said.contains(&format!("Without it stiffness_ratio = {ratio:.4}")), "{ratio} {said}");
+}
+
+/// A ply let go winds against the twist in its strands: turns without their sign are found out, and S says the sign.
+#[test]
+fn forgotten_signs_are_asked_about() {
+    let fit = |rows: &str, more: &[&str]| {
+        let ply = [
+            "fit",
+            "-",
+            "--strands",
+            "2",
+            "--diameter",
+            "0.03 inch",
+            "--stiffness-ratio",
+            "1",
+            "--estimate",
+            "stiffness_ratio",
+        ];
+        let error = ["--error", "ply_turns_per_length=0.1tpi"];
+        let table = format!("turns_per_length [tpi],ply_turns_per_length [tpi]\n{rows}");
+        call_with(&[&ply[..], &error, more].concat(), table.as_bytes())
+    };
+    let forgotten = fit("8,5.2\n10,5.9\n", &[]);
+    assert!(forgotten.out.contains("With the signs of ply_turns_per_length turned round"), "{}", forgotten.out);
+    let contradicted = fit("8,5.2\n10,5.9\n", &["--hand", "S"]);
+    assert_eq!(contradicted.code, 1, "{}", contradicted.out);
+    assert!(contradicted.err.contains("With the signs of ply_turns_per_length turned round"), "{}", contradicted.err);
+    let signed = fit("8,-5.2\n10,-5.9\n", &["--json"]).out;
+    let lettered = fit("8 Z,5.2 S\nZ 10,S 5.9\n", &["--json"]).out;
+    assert!(!signed.contains("turned round"), "{signed}");
+    assert_eq!(signed, lettered);
+    let twice = fit("8,+5.2 S\n10,5.9\n", &[]);
+    assert!(twice.code == 2 && twice.err.contains("say opposite hands"), "{}", twice.err);
+}
+
+/// Where a comma parts no cells it is that of a decimal.
+#[test]
+fn decimal_commas_are_read_beside_semicolons_and_tabs() {
+    let comma = lays(
+        "turns_per_length [tpm],lay_length [mm]\n200,5.93\n300,4.55\n",
+        &["--estimate", "stiffness_ratio", "--json"],
+    )
+    .out;
+    for separator in [";", "\t"] {
+        let table =
+            format!("turns_per_length [tpm]{separator}lay_length [mm]\n200{separator}5,93\n300{separator}4,55\n");
+        assert_eq!(lays(&table, &["--estimate", "stiffness_ratio", "--json"]).out, comma);
+    }
+}
+
+/// A diameter known with an error counts as one measurement more: the estimate is the mean, by their variances, of what the data alone say
+/// and what was known; both stiffnesses stay within their errors, where a held diameter leads them astray.
+#[test]
+fn a_known_diameter_has_its_error() {
+    let fit = |more: &[&str]| {
+        let ply = ["fit", "examples/fit/cord-pull.csv", "examples/fit/cord.toml", "--starts", "1", "--json"];
+        json(&[&ply[..], more].concat())
+    };
+    let all = ["--estimate", "bending_stiffness,stiffness_ratio,diameter"];
+    let alone = fit(&all);
+    let known = fit(&[&all[..], &["--diameter", "0.61 mm", "--error", "diameter=0.004mm"]].concat());
+    let [of_data, of_both] = [&alone, &known].map(|report| estimate(report, "diameter"));
+    let weight = |error: f64| 1.0 / (error * error);
+    let (data, prior) = (weight(number(of_data, "standard_error")), weight(0.004e-3));
+    let mean = (data * number(of_data, "value") + prior * 0.61e-3) / (data + prior);
+    near(number(of_both, "value"), mean, 1e-3);
+    near(number(of_both, "standard_error"), (data + prior).sqrt().recip(), 0.02);
+    near(number(of_both, "known_to"), 0.004e-3, 1e-12);
+    assert_eq!(known["degrees_of_freedom"].as_u64(), alone["degrees_of_freedom"].as_u64().map(|freedom| freedom + 1));
+    let held = call(&[
+        "fit",
+        "examples/fit/cord-pull.csv",
+        "examples/fit/cord.toml",
+        "--estimate",
+        "stiffness_ratio",
+        "--error",
+        "diameter=1um",
+    ]);
+    assert!(held.code == 2 && held.err.contains("what is held counts as exact"), "{}", held.err);
+}

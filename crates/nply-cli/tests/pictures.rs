@@ -128,3 +128,20 @@ fn what_would_be_left_out_is_refused() {
     }
     assert!(!folder.join("p.pdf").exists() && !folder.join("p.png").exists());
 }
+
+/// S and Z are what spinners call the hands, here as everywhere; and a plot of what touches has no row of anything else.
+#[test]
+fn a_plot_takes_the_letters_of_the_hands() {
+    let folder = folder("hands");
+    let drawn = |name: &str, more: &[&str]| {
+        let file = folder.join(name).display().to_string();
+        let plot = ["plot", YARN, "--sweep", "pretwist=-1..1", "--ask", "helical_angle", "--output", &file];
+        assert_eq!(out(&plot.iter().chain(more).copied().collect::<Vec<_>>()), "");
+        fs::read_to_string(file).unwrap()
+    };
+    for (letter, word) in [("S", "left"), ("Z", "right"), ("s", "left")] {
+        assert_eq!(drawn("letter.csv", &["--hand", letter]), drawn("word.csv", &["--hand", word]));
+    }
+    let (all, touching) = (drawn("all.csv", &[]), drawn("touching.csv", &["--touching"]));
+    assert!(all.contains(",true,") && !touching.contains(",true,") && touching.contains(",false,"));
+}

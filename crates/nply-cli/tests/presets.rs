@@ -94,6 +94,9 @@ fn prestressing_strands_have_about_the_published_area() {
         let found = number(&answer(name), "metal_area_m2") * 1e6;
         assert!(found > area && found < area * (1.0 + most), "{name}: {found} mm², {area} published");
     }
+    // of a rope on a core of fibre, that is no metal: 0.369 d² (factor C of 6 × 7-FC in EN 12385, as Vornbäumen prints it in its technical notes)
+    let rope = number(&answer("rope-6x7"), "wire_section_area_m2") * 1e6;
+    assert!((rope / 36.9 - 1.0).abs() < 2e-3, "{rope} mm², 36.9 by the standard");
     // across each wire
     let three = number(&answer("prestressing-strand-3-wire"), "wire_section_area_m2") * 1e6;
     assert!((three / 37.4 - 1.0).abs() < 3e-3, "{three} mm², 37.4 published");

@@ -112,3 +112,67 @@ fn what_no_spinner_can_ask_is_refused() {
     );
     assert!(loaded.code == 2 && loaded.err.contains("let go"), "{}", loaded.err);
 }
+
+/// The mass is that of the singles: R = n T/(1 − take-up); twist factors are T √tex. 8 tpi of Ne 10 are α_e = 8/√10.
+#[test]
+fn a_titre_gives_the_resulting_one_and_twist_factors() {
+    let ply = |titre: &str, more: &[&str]| {
+        let given = [
+            "spin",
+            "--strands",
+            "2",
+            "--stiffness-ratio",
+            "1",
+            "--density",
+            "1.54 g/cm^3",
+            "--turns-per-length",
+            "8 tpi Z",
+        ];
+        json(&[&given[..], &["--linear-density", titre, "--json"], more].concat())
+    };
+    let report = ply("59 tex", &[]);
+    let balanced = &report["plies"][0];
+    near(number(balanced, "resulting_tex"), 2.0 * 59.0 / (1.0 - number(balanced, "retraction_percent") / 100.0), 1e-12);
+    near(number(balanced, "singles_twist_factor"), 8.0 / INCH * 59_f64.sqrt(), 1e-12);
+    let turns = number(&balanced["si"], "turns_per_ply_length").abs();
+    near(number(balanced, "ply_twist_factor"), turns * number(balanced, "resulting_tex").sqrt(), 1e-12);
+    // a hank of 840 yards a pound
+    let tex_of_one: f64 = 0.453_592_37e6 / (840.0 * 0.9144);
+    let english = number(&ply("Ne 10", &[])["plies"][0], "singles_twist_factor") * INCH / tex_of_one.sqrt();
+    near(english, 8.0 / 10_f64.sqrt(), 1e-12);
+    assert_eq!(spin(&["--turns-per-length", "8 tpi Z"])["plies"][0]["resulting_tex"], Value::Null);
+}
+
+#[test]
+fn the_plies_are_a_table_too() {
+    let given =
+        ["spin", "--strands", "3", "--stiffness-ratio", "1", "--diameter", "0.5 mm", "--turns-per-length", "8 tpi Z"];
+    let csv = call(&[&given[..], &["--format", "csv"]].concat()).out;
+    let report = json(&[&given[..], &["--json"]].concat());
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let plies = report["plies"].as_array().unwrap();
+    assert_eq!(rows.len(), plies.len() + 1);
+    for (row, ply) in rows[1..].iter().zip(plies) {
+        for (name, cell) in rows[0].iter().zip(row) {
+            let (of, name) = match name.strip_suffix("_turns_per_m").or(name.strip_suffix("_m")) {
+                Some(name) => (&ply["si"], name),
+                None => (ply, *name),
+            };
+            match &of[name] {
+                Value::Number(number) => near(cell.parse().unwrap(), number.as_f64().unwrap(), 1e-15),
+                Value::String(text) => assert_eq!(cell, text),
+                _ => assert_eq!(*cell, "", "{name}"),
+            }
+        }
+    }
+}
+
+/// Surplus S twist turns a free end Z and snarls Z; too little goes on S.
+#[test]
+fn which_way_a_ply_snarls_and_what_does_not_go_in_is_said() {
+    let notes = |more: &[&str]| spin(more)["notes"].to_string();
+    assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "7 tpi S"]).contains("snarls Z"));
+    assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "4 tpi S"]).contains("snarls S"));
+    assert!(notes(&["--turns-per-length", "4000 tpm Z"]).contains("do not go into a ply"));
+    assert!(!notes(&["--turns-per-length", "8 tpi Z"]).contains("do not go into a ply"));
+}

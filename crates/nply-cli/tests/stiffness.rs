@@ -27,6 +27,24 @@ fn text_of(file: &str) -> String {
     std::fs::read_to_string(root().join(file)).unwrap()
 }
 
+/// EA, GJ and coupling are the strand's: the unit of a load, or its absence, does not change theirs.
+#[test]
+fn stiffnesses_keep_their_units_whatever_the_load() {
+    let rows = |force: &str| -> Vec<String> {
+        let text = command::out(&["stiffness", "examples/strand-7-wire.toml", "--force", force]);
+        let mine = text
+            .lines()
+            .filter(|line| ["  EA, ", "  GJ, ", "  coupling", "  bending st"].iter().any(|l| line.starts_with(l)));
+        mine.map(|line| line.rsplit_once("  ").unwrap().0.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    };
+    let none = rows("0");
+    assert_eq!(none.len(), 6, "{none:?}");
+    for force in ["130 kN", "0.1 MN", "20 N"] {
+        assert_eq!(rows(force), none, "{force}");
+    }
+    assert!(none.iter().all(|row| !row.contains("kN mm")), "{none:?}");
+}
+
 /// Shares of core and layers add up to the loads, which are those that were asked for.
 #[test]
 fn shares_add_up() {
@@ -68,7 +86,15 @@ fn what_is_found_balances() {
         let said = of_text(text.split("[load]").next().unwrap(), &[]);
         assert!(number(&said, "torque_factor").abs() < 1e-9, "{lay}");
     }
-    assert_eq!(lays.len(), 2);
+    // the other is no lay: the wires would be inside each other on the layer below, as `nply fit-check` has it
+    let off = found["lay_lengths_that_do_not_fit_m"].as_array().unwrap();
+    assert_eq!((lays.len(), off.len()), (1, 1));
+    let gap = |lay: &Value| {
+        let length = format!("{:?} m", lay.as_f64().unwrap());
+        let said = json(&["fit-check", file, "--lay-length", "60 mm", "--lay-length", &length]);
+        number(&said["layers"][1], "wire_gap_m")
+    };
+    assert!(gap(&lays[0]) > 0.0 && gap(&off[0]) < 0.0);
     let straight = ["stiffness", "examples/strand-7-wire.toml", "--preforming", "0", "--torque-factor", "0"];
     let pretwist = number(&json(&straight), "pretwist_for_no_moment_rad_per_m");
     let turns = format!("{pretwist:?} rad/m");
@@ -116,8 +142,33 @@ fn small_angles() {
 }
 
 /// Refusals are sentences with their place, and their exit status.
+/// The wires of a layer are `wires` in a file, and a flag that is not known gets no advice that leads nowhere.
+#[test]
+fn wires_are_called_wires() {
+    let fit = |name: &str| {
+        command::out(&[
+            "fit-check",
+            name,
+            "6",
+            "--core-diameter",
+            "4.3",
+            "--wire-diameter",
+            "4.2",
+            "--lay-length",
+            "200",
+        ])
+    };
+    assert_eq!(fit("--wires"), fit("--strands"));
+    let unknown = call(&["solve", "--strands", "3", "--gamma", "0.75"]);
+    assert!(unknown.code == 2 && unknown.err.contains("'--gamma'"), "{}", unknown.err);
+    assert!(!unknown.err.contains("as a value"), "{}", unknown.err);
+}
+
 #[test]
 fn refusals() {
+    let text = "# a rope\n[core]\ndiameter = \"4 mm\"\n[[layer]]\nwires = 6\nwire_diameter = \"4 mm\"\nlay_length = \"200 mm\"\n";
+    let answer = call_with(&["stiffness", "-"], text.as_bytes());
+    assert!(answer.err.contains(":3:") && answer.err.contains("`youngs_modulus` in [core]"), "{}", answer.err);
     let strand = |more: &[&str]| {
         let given = [
             "stiffness",
@@ -177,4 +228,118 @@ fn refusals() {
         assert_eq!(run.code, status, "{more:?}: {}", run.err);
         assert!(run.err.contains(said), "{more:?}: {}", run.err);
     }
+}
+
+/// A core of fibre is no metal: section, modulus and breaking load of a rope are those of its wires; a name means the same in both reports.
+#[test]
+fn a_fibre_core_is_no_metal() {
+    let pi = std::f64::consts::PI;
+    let steel = 6.0 * 0.25 * pi * (1.30 * 1.30 + 6.0 * 1.25 * 1.25) * 1e-6;
+    let rope = json(&["stiffness", "examples/rope-6x7.toml"]);
+    assert!((number(&rope, "wire_section_area_m2") / steel - 1.0).abs() < 1e-12, "{rope}");
+    let modulus = number(&rope, "axial_stiffness_N") / steel;
+    assert!((number(&rope, "modulus_Pa") / modulus - 1.0).abs() < 1e-12);
+    let fit = json(&["fit-check", "examples/rope-6x7.toml"]);
+    for (file, fit) in [
+        ("examples/rope-6x7.toml", &fit),
+        ("examples/strand-7-wire.toml", &json(&["fit-check", "examples/strand-7-wire.toml"])),
+    ] {
+        let said = json(&["stiffness", file]);
+        assert!((number(&said, "wire_section_area_m2") / number(fit, "wire_section_area_m2") - 1.0).abs() < 1e-12);
+        assert!(said.get("metal_area_m2").is_none(), "{file}");
+    }
+    // and it cannot be of steel as well
+    let both = call_with(&["stiffness", "examples/rope-6x7.toml", "--core-material", "steel"], b"");
+    assert_eq!(both.code, 2, "{}", both.out);
+    assert!(both.err.contains("contradict"), "{}", both.err);
+}
+
+/// What a soft core does not bear is said; a king wire bears it.
+#[test]
+fn a_core_that_gives_is_told_of() {
+    let rope = call(&["stiffness", "examples/rope-6x7.toml"]).out;
+    assert!(rope.contains("keep its round outline"), "{rope}");
+    // 6 × 71.6 N/mm on a core of 2.1 mm: 32.6 MPa, of a modulus of 500 MPa
+    let said = json(&["stiffness", "examples/rope-6x7.toml"]);
+    let by_hand = 6.0 * number(&said["layers"][0], "pressure_below_N_per_m") / (std::f64::consts::TAU * 2.1e-3);
+    assert!((number(&said["core"], "pressure_on_core_Pa") / by_hand - 1.0).abs() < 1e-6);
+    assert!(rope.contains("32.5798 MPa") && rope.contains("6.51596 %"), "{rope}");
+    assert!(!call(&["stiffness", "examples/strand-7-wire.toml"]).out.contains("keep its round outline"));
+}
+
+/// A rope's report speaks of strands; what it says of one, asked of the strand alone, strains it so.
+#[test]
+fn a_strand_of_a_rope_alone() {
+    let text = call(&["stiffness", "examples/rope-6x7.toml"]).out;
+    assert!(text.contains("strain of a strand") && !text.contains("strain of a wire"), "{text}");
+    assert!(text.contains("In the strands of layer 1, 6 wires do not fit"), "{text}");
+    let fit = call(&["fit-check", "examples/rope-6x7.toml"]).out;
+    assert!(fit.contains("1 + 6 strands") && fit.contains("the strand is 3.80937 mm thick, not 3.8 mm"), "{fit}");
+    let rope = json(&["stiffness", "examples/rope-6x7.toml"]);
+    let one = &rope["layers"][0];
+    let file = text_of("examples/rope-6x7.toml");
+    let (_, strand) = file.split_once("[layer.strand.core]").unwrap();
+    let strand =
+        format!("[core]{}", strand.split("[load]").next().unwrap().replace("[[layer.strand.layer]]", "[[layer]]"));
+    let (pull, turns) = (number(one, "wire_tension_N"), number(one, "wire_twist_rad_per_m"));
+    let alone =
+        of_text(&strand, &["--force", &format!("{pull:?} N"), "--turns-per-length", &format!("{turns:?} rad/m")]);
+    // its wires are pulled as hard, and a little more where it is bent in the rope
+    let most = |name: &str| f64::max(number(&alone["core"], name), number(&alone["layers"][0], name));
+    let more = number(one, "stress_greatest_Pa") / most("stress_greatest_Pa") - 1.0;
+    assert!(more > 0.0 && more < 0.03, "{more}");
+    // to first order: a strand counts as it is free of load
+    let (alone, in_rope) = (number(&alone, "strain"), number(one, "wire_strain"));
+    assert!((alone - in_rope).abs() < 1e-3 * in_rope.abs(), "{alone} {in_rope}");
+}
+
+/// Strengths: the breaking load by hand, and the force at which the king wire, strained most, reaches its own.
+#[test]
+fn strength() {
+    let file = "examples/strand-7-wire.toml";
+    let strong = ["--wire-tensile-strength", "1860 MPa", "--core-tensile-strength", "1860 MPa"];
+    let said = json(&[&["stiffness", file], &strong[..]].concat());
+    let area = 0.25 * std::f64::consts::PI * (4.3 * 4.3 + 6.0 * 4.2 * 4.2) * 1e-6;
+    assert!((number(&said, "metallic_breaking_load_N") / (1860e6 * area) - 1.0).abs() < 1e-12);
+    let force = number(&said, "force_at_strength_N");
+    assert!(force > 130e3 && force < 1860e6 * area);
+    let force = format!("{force:?} N");
+    let there = json(&[&["stiffness", file, "--force", &force], &strong[..]].concat());
+    // the king wire is straight: σ = E times the strain
+    assert!((number(&there, "strain") * 205e9 / 1860e6 - 1.0).abs() < 1e-9);
+    assert!((number(&there["core"], "strength_used") - 1.0).abs() < 1e-9);
+    // past it, it is said; and of no wires whose strength is not known
+    let past = call(&[&["stiffness", file, "--force", "190 kN"], &strong[..]].concat()).out;
+    assert!(past.contains("Past its tensile strength: the core and layer 1"), "{past}");
+    assert!(json(&["stiffness", file])["metallic_breaking_load_N"].is_null());
+    // what no wire bears is said without any strength
+    let wound = call(&["stiffness", file, "--preforming", "0"]).out;
+    assert!(wound.contains("which no metal wire bears"), "{wound}");
+}
+
+/// A wire turned back once a lay, against the hand, is left with no more twist than (1 − cos θ) turns a wire length of the lay: what writhe asks for.
+#[test]
+fn wires_that_are_turned_back() {
+    let said = json(&[
+        "stiffness",
+        "examples/strand-7-wire.toml",
+        "--force",
+        "0",
+        "--preforming",
+        "0",
+        "--wire-pretwist",
+        "5.56192 turns/m",
+    ]);
+    let layer = &said["layers"][0];
+    let cos = number(layer, "lay_angle_deg").to_radians().cos();
+    let per_lay = number(layer, "wire_twist_rad_per_m") / std::f64::consts::TAU * 0.1778 / cos;
+    assert!((per_lay - (1.0 - cos)).abs() < 2e-3 * (1.0 - cos) + 1e-4, "{per_lay} {}", 1.0 - cos);
+}
+
+/// How many turns are too many is said as a number: one a lay length.
+#[test]
+fn too_many_turns_are_counted() {
+    let refused = call(&["stiffness", "examples/strand-7-wire.toml", "--turns-per-length", "6 turns/m"]);
+    assert_eq!(refused.code, 1, "{}", refused.out);
+    assert!(refused.err.contains("straight at 5.6243 turns/m"), "{}", refused.err);
 }

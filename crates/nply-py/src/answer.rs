@@ -50,7 +50,7 @@ written! {
     ClearanceReport, csv;
     ShapeReport;
     LaysReport;
-    PlyingReport;
+    PlyingReport, csv;
 }
 
 impl Written for TraceReport {

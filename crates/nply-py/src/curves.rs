@@ -24,6 +24,8 @@ pub struct Given {
     closed: Option<bool>,
     extend: Option<Said>,
     extend_along: String,
+    /// Names of curves that are read backwards.
+    reverse: Vec<String>,
 }
 
 impl Given {
@@ -45,7 +47,9 @@ impl Given {
             Some(true) => Closing::Closed,
             Some(false) => Closing::Open,
         };
-        CurveSet::of(files, self.unit.as_deref(), closing).map_err(|refused| error::of_spec(&refused, None))
+        let backwards: Vec<&str> = self.reverse.iter().map(String::as_str).collect();
+        let set = CurveSet::of(files, self.unit.as_deref(), closing).and_then(|set| set.reversed(&backwards));
+        set.map_err(|refused| error::of_spec(&refused, None))
     }
 
     fn extension(&self, set: &CurveSet) -> PyResult<Option<Extension>> {

@@ -83,6 +83,7 @@ pub struct Running {
     strands: Vec<u32>,
     balances: Vec<String>,
     hands: Vec<String>,
+    touching: bool,
     log_x: bool,
     log_y: bool,
 }
@@ -99,16 +100,21 @@ impl Running {
             None => Ok(()),
         };
         known("balance", &self.balances, &["contact", "radial"])?;
-        known("hand", &self.hands, &["right", "left"])?;
+        known("hand", &self.hands, &["right", "left", "Z", "S"])?;
         let named = |words: &[String], name: &str| words.iter().any(|word| word == name || word == "both");
-        let hands = [(Handedness::Right, "right"), (Handedness::Left, "left")];
+        let hands = [(Handedness::Right, ["right", "Z"]), (Handedness::Left, ["left", "S"])];
         Ok(GraphFlags {
             balances: Balance::BOTH.into_iter().filter(|balance| named(&self.balances, balance.name())).collect(),
-            hands: hands.into_iter().filter(|(_, name)| named(&self.hands, name)).map(|(hand, _)| hand).collect(),
+            hands: hands
+                .into_iter()
+                .filter(|(_, names)| names.iter().any(|name| named(&self.hands, name)))
+                .map(|(hand, _)| hand)
+                .collect(),
             sweep: self.sweep,
             ask: self.ask,
             against: self.against,
             strands: self.strands,
+            touching: self.touching,
             scales: Scales { log_x: self.log_x, log_y: self.log_y },
         })
     }

@@ -93,3 +93,16 @@ def test_what_cannot_be_is_said(tmp_path: Path) -> None:
         nply.writhe(tmp_path / "none.csv")
     with pytest.raises(nply.SpecError, match="^diameter: .* say theirs with unit"):
         nply.clearance([[0, 0, 0], [1, 0, 0]], "1 mm")
+
+
+def test_a_curve_read_backwards_turns_the_sign_of_its_link(tmp_path):
+    t = np.linspace(0, 2 * np.pi, 101)
+    one = np.stack([np.cos(t), np.sin(t), 0 * t], axis=1)
+    other = np.stack([1 + np.cos(t), 0 * t, np.sin(t)], axis=1)
+    path = tmp_path / "rings.csv"
+    rows = [f"{name},{x},{y},{z}" for name, ring in (("a", one), ("b", other)) for x, y, z in ring]
+    path.write_text("curve,x,y,z\n" + "\n".join(rows) + "\n")
+    as_written = nply.link(path, closed=True).linking_numbers[0][1]
+    assert abs(as_written) == 1
+    assert nply.link(path, closed=True, reverse=["b"]).linking_numbers[0][1] == -as_written
+    assert nply.link(path, closed=True, reverse="b").linking_numbers[0][1] == -as_written

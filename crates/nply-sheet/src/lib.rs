@@ -44,7 +44,7 @@ pub use quantity::{Dimension, Quantity, QuantityError, Unit};
 pub use report::{
     AngleLine, COLUMNS, ClearanceReport, Column, Extension, FitReport, Known, LaysReport, Link, LinkReport,
     LocusReport, Measure, PlyingReport, Reading, Report, Section, ShapeReport, SpecialPoint, StiffnessReport,
-    StringsReport, TraceReport, Walk, WritheQuestion, WritheReport, Writhing,
+    StringsGoal, StringsReport, TraceReport, Walk, WritheQuestion, WritheReport, Writhing,
 };
 pub use solve::{Opening, Solution, Supported};
 pub use spec::Spec;

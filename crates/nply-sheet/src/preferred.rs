@@ -72,7 +72,10 @@ impl PreferredUnits {
         if let (Some(force), Some(length)) = (self.written(Dimension::FORCE), self.written(Dimension::LENGTH)) {
             let together = match dimension {
                 Dimension::MOMENT => Some(format!("{force} {length}")),
-                Dimension::STIFFNESS => Some(format!("{force} {length}^2")),
+                // kN mm^2 is nobody's unit: prefixes are chosen by size, and only an lbf in^2 is no power of ten of N m^2
+                Dimension::STIFFNESS if !(force.is_decimal() && length.is_decimal()) => {
+                    Some(format!("{force} {length}^2"))
+                }
                 Dimension::FORCE_PER_LENGTH => Some(format!("{force}/{length}")),
                 _ => None,
             };
@@ -83,6 +86,22 @@ impl PreferredUnits {
                 return unit;
             }
         }
+        Self::by_size(dimension, si)
+    }
+
+    /// The unit for a property such as a stiffness, which a load does not change and whose unit the load's is not to change either: by its size, unless
+    /// what was written is no decimal unit (lbf, inch).
+    pub(crate) fn unit_by_size(&self, dimension: Dimension, si: f64) -> Unit {
+        let of_loads = [Dimension::FORCE, Dimension::LENGTH, Dimension::MOMENT];
+        let decimal = of_loads.iter().filter_map(|dimension| self.written(*dimension)).all(Unit::is_decimal);
+        match self.written(dimension) {
+            None if decimal => Self::by_size(dimension, si),
+            Some(_) if decimal && of_loads.contains(&dimension) => Self::by_size(dimension, si),
+            _ => self.unit(dimension, si),
+        }
+    }
+
+    fn by_size(dimension: Dimension, si: f64) -> Unit {
         let mut chosen = Unit::si(dimension);
         for (step, text) in ladder(dimension).iter().enumerate() {
             if let Ok(unit) = Unit::parse(text)

@@ -83,6 +83,17 @@ fn too_many_data_are_refused() {
     assert_eq!(refused(&[base[0], ("helix-radius", "1.3"), ("lay-length", "40")]).kind(), ErrorKind::Contradiction);
     assert_eq!(refused(&[base[0], base[1], ("core-radius", "7 Å")]).kind(), ErrorKind::Domain);
     assert_eq!(refused(&[base[0], base[1]]).kind(), ErrorKind::Missing);
+    // a bare pair lacks units, and no datum
+    let bare = refused(&[base[0], ("helix-radius", "6.34"), ("lay-length", "194")]).to_string();
+    assert!(bare.contains("bare numbers are in strand radii") && bare.contains("\"6.34 Å\""), "{bare}");
+    // three straight strands that touch: R = r/sin 60°
+    let no_room = |flags: &[(&str, &str)]| ShapeReport::of(shape(flags), 0).unwrap_err();
+    let narrow = no_room(&[base[0], ("radius", "5 Å"), ("helix-radius", "5.5 Å")]);
+    assert_eq!(narrow.kind(), ErrorKind::Domain);
+    let narrow = narrow.to_string();
+    assert!(narrow.contains("R/r is 1.1, and 3 touching") && narrow.contains("1.1547, here 5.7735 Å"), "{narrow}");
+    let core = no_room(&[("strands", "7"), ("radius", "5 Å"), ("core-radius", "5.5 Å")]).to_string();
+    assert!(core.contains("R/r is 2.1") && core.contains("here 6.52382 Å"), "{core}"); // 5 Å · (1/sin(180°/7) − 1)
     // bare, it is the radius ratio
     let bare = shape(&[("strands", "6"), ("helix-radius", "2.1")]);
     assert!((bare.lay.unwrap().contact(6).unwrap().angle().degrees() - 20.0).abs() < 0.05);

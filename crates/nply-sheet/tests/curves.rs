@@ -286,6 +286,14 @@ fn a_protein_is_its_alpha_carbons_and_what_was_chosen_is_said() {
     {
         assert!(notes.contains(said), "{notes}");
     }
+    // a selenomethionine in a file of Cα alone
+    let mut trace = String::new();
+    for (record, residue) in [("ATOM", 1), ("ATOM", 2), ("HETATM", 3), ("ATOM", 4), ("HETATM", 5)] {
+        trace += &pdb_atom(record, " CA ", ' ', 'A', residue, at(residue as f64), "1.00");
+    }
+    let found = read("a.pdb", trace.as_bytes());
+    assert_eq!(found.curves[0].points, [1.0, 2.0, 3.0, 4.0].map(at));
+    assert!(found.notes.join(" ").contains("1 residue among hetero atoms (HETATM) is taken in"), "{:?}", found.notes);
     // nucleic acids: the phosphorus of each nucleotide, and no 5' end without one
     let mut dna = pdb_atom("ATOM", " O5'", ' ', 'C', 1, at(0.0), "1.00");
     for residue in 2..4 {

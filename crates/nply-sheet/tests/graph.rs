@@ -237,6 +237,40 @@ fn a_picture_names_what_it_shows() {
     assert!(svg.contains(">0.01<") && svg.contains(">10<"));
 }
 
+/// What neighbours would have to hold by pulling can be left out: what is left is what hangs there.
+#[test]
+fn a_graph_of_touching_plies_has_no_other() {
+    let spec = ply(&[("strands", "3"), ("stiffness-ratio", "0.75")]);
+    let flags = |touching| GraphFlags {
+        sweep: "pretwist=-2..2".into(),
+        ask: vec!["helical_angle".into()],
+        touching,
+        ..GraphFlags::default()
+    };
+    let graph = |touching: bool| spec.check_graph(&flags(touching)).unwrap();
+    let (all, touching) = (graph(false).curves(), graph(true).curves());
+    assert!(all.iter().any(|curve| curve.separated));
+    let pressing: Vec<GraphCurve> = all.into_iter().filter(|curve| !curve.separated).collect();
+    assert_eq!(touching, pressing);
+    assert!(!graph(true).picture(&touching).svg().contains("separated"));
+}
+
+/// Touching helices are geometry: nothing is loaded and nothing twisted, so that no state of them is better than another.
+#[test]
+fn geometry_alone_has_no_separated_part() {
+    let drawn = |flags: &[(&str, &str)], ask: &str| {
+        let graph = graph(&ply(flags), "helical_angle=1..60 deg", &[ask]);
+        let curves = graph.curves();
+        (graph.picture(&curves).svg().contains("separated"), curves.iter().any(|curve| curve.separated))
+    };
+    let bare = [("strands", "3"), ("stiffness-ratio", "0.75"), ("hand", "right")];
+    assert_eq!(drawn(&bare, "radius_ratio"), (false, false));
+    // an elastic ply is asked after
+    assert_eq!(drawn(&bare, "pretwist"), (true, true));
+    let loaded = [bare[0], bare[1], bare[2], ("force", "-0.5"), ("moment", "0")];
+    assert_eq!(drawn(&loaded, "radius_ratio"), (true, true));
+}
+
 /// What cannot be understood is said in a sentence, with the nearest name.
 #[test]
 fn what_cannot_run_is_refused() {

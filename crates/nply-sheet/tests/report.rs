@@ -160,6 +160,45 @@ fn margins_are_read_in_the_units_of_the_input() {
     assert_eq!(value("stability_rotation_held"), "stable");
 }
 
+/// Two bounds that are compared, and terms that are summed, stand in one unit; a zero goes with what it is compared with.
+#[test]
+fn what_is_compared_has_one_unit() {
+    let unit = |text: &str, label: &str| {
+        let row =
+            text.lines().find(|line| line.trim_start().starts_with(label)).unwrap_or_else(|| panic!("{label}: {text}"));
+        // label, unit and cells stand at least two blanks apart
+        row.trim().split("  ").filter(|part| !part.is_empty()).nth(1).unwrap().trim().to_owned()
+    };
+    // pull it buckles at: some µN where strands slide, some mN where they do not
+    let ply = [
+        ("strands", "3"),
+        ("diameter", "1 mm"),
+        ("bending-stiffness", "1 N mm^2"),
+        ("stiffness-ratio", "0.75"),
+        ("strand-length", "200 mm"),
+        ("pretwist", "-1"),
+    ];
+    let text = report(&ply).0.text(false);
+    let thrust = |how: &str| unit(&text, &format!("thrust it buckles at, {how}"));
+    assert_eq!(thrust("strands sliding"), thrust("solid strands locked"));
+    assert_eq!(unit(&text, "end loads"), unit(&text, "total"));
+    assert_eq!(unit(&text, "end loads"), unit(&text, "bending  "));
+    // strands that swivel have no twist: all link is writhe
+    let braid = [
+        ("strands", "2"),
+        ("radius", "1 nm"),
+        ("bending-stiffness", "206 pN nm^2"),
+        ("stiffness-ratio", "2.4"),
+        ("strand-twist", "0"),
+        ("helical-angle", "18 deg"),
+        ("force", "10 pN"),
+    ];
+    let text = report(&braid).0.text(false);
+    let per_length = |what: &str| unit(&text, &format!("{what}, per strand length"));
+    assert_eq!([per_length("put in"), per_length("twist")], [per_length("writhe"), per_length("writhe")]);
+    assert_eq!(unit(&text, "strand twist per strand length"), unit(&text, "pretwist per strand length"));
+}
+
 #[test]
 fn the_ledger_of_link_adds_up() {
     let flags = [
@@ -225,6 +264,56 @@ fn buckling_is_bounded_as_by_hand() {
     // without a length there is nothing to say
     let (short, json) = self::report(&[("strands", "2"), ("stiffness-ratio", "0.5"), ("helical-angle", "30 deg")]);
     assert!(json["states"][0]["buckling_thrust_sliding"].is_null() && !short.text(false).contains("buckles"));
+}
+
+/// Glued strands bend as n(B + ½ EA R²), and EA is 4B/r² of solid round ones alone: nothing is said of it where persistence lengths or a
+/// packing fraction say that the strands are others.
+#[test]
+fn the_upper_bound_is_of_solid_strands() {
+    let molecule = [
+        ("strands", "2"),
+        ("radius", "5 nm"),
+        ("bending-persistence-length", "50 nm"),
+        ("stiffness-ratio", "1.5"),
+        ("temperature", "298 K"),
+        ("helical-angle", "30 deg"),
+        ("hand", "right"),
+        ("strand-length", "1 um"),
+        ("force", "-0.0165 pN"),
+        ("moment", "4.11 pN nm"),
+    ];
+    let (report, _) = self::report(&molecule);
+    let text = report.text(false);
+    assert!(text.contains("bending stiffness, strands sliding") && !text.contains("locked"), "{text}");
+    assert!(report.notes.iter().any(|note| note.contains("may buckle")), "{:?}", report.notes);
+    assert!(report.notes.iter().all(|note| !note.contains("buckles as a whole:")), "{:?}", report.notes);
+    let rod: Vec<(&str, &str)> = molecule
+        .into_iter()
+        .filter(|(name, _)| *name != "temperature")
+        .map(|(name, value)| match name {
+            "bending-persistence-length" => ("bending-stiffness", "205.7 pN nm^2"),
+            _ => (name, value),
+        })
+        .collect();
+    let (report, _) = self::report(&rod);
+    assert!(report.text(false).contains("bending stiffness, solid strands locked"));
+    assert!(report.notes.iter().any(|note| note.contains("buckles as a whole:")), "{:?}", report.notes);
+}
+
+/// Neighbours that would have to pull hold nothing together: such a ply is no column, however wide its rings would be.
+#[test]
+fn what_has_come_apart_does_not_buckle() {
+    let (_, json) =
+        self::report(&[("strands", "3"), ("stiffness-ratio", "0.667"), ("pretwist", "-0.2"), ("strand-length", "300")]);
+    let states = json["states"].as_array().unwrap();
+    assert!(
+        states.iter().any(|state| state["separated"] == true) && states.iter().any(|state| state["separated"] == false)
+    );
+    for state in states {
+        for name in ["buckling_thrust_sliding", "buckling_thrust_locked"] {
+            assert_eq!(state[name].is_null(), state["separated"] == true, "{state}");
+        }
+    }
 }
 
 /// The strand twist held, by the other road: the states that any support carries, of which touching neighbours are one.
@@ -312,6 +401,26 @@ fn strands_part_at_each_load_of_the_locus() {
         assert!(
             (state.load().moment - number(4)).abs() < 1e-6 && row[1] == state.handedness().lay_letter().to_string()
         );
+    }
+}
+
+/// Beside each line of constant angle stands its angle, and the line of that angle goes by there.
+#[test]
+fn lines_of_constant_angle_say_which() {
+    let report = locus(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("pretwist", "-0.2")], 200);
+    let chart = report.picture();
+    assert!(chart.notes.len() > 8, "{:?}", chart.notes);
+    for note in &chart.notes {
+        let degrees: f64 = note.words.trim_end_matches('°').parse().unwrap();
+        let angle = nply::geometry::HelicalAngle::new(degrees.to_radians()).unwrap();
+        let passes = nply::Handedness::BOTH.into_iter().any(|hand| {
+            let line = report.line_of_angle(angle, hand).unwrap();
+            let (x, y) = (note.x - line.parting.force, note.y - line.parting.moment);
+            // on it, and where neighbours press
+            (x * line.direction.moment - y * line.direction.force).abs() < 1e-9 * (1.0 + line.direction.moment.abs())
+                && x * line.direction.force + y * line.direction.moment > 0.0
+        });
+        assert!(passes, "{note:?}");
     }
 }
 

@@ -357,11 +357,14 @@ fn what_the_theory_refuses_is_said_at_its_datum() {
 #[test]
 fn what_the_theory_refuses_is_said_once_and_shortly() {
     let refused = |flag, value| DomainError { quantity: flag, value, allowed: "greater than 6" };
-    let ratio = bare(&[("radius-ratio", "1.1")]).unwrap();
+    let ratio = bare(&[("radius-ratio", "1.3")]).unwrap();
     assert_eq!(
-        ratio.locate(&refused("radius_ratio", 1.1)).to_string(),
-        "`--radius-ratio \"1.1\"`: no ply has it; it must be greater than 6"
+        ratio.locate(&refused("radius_ratio", 1.3)).to_string(),
+        "`--radius-ratio \"1.3\"`: no ply has it; it must be greater than 6"
     );
+    // where there is no room, what is needed is said instead
+    let narrow = bare(&[("radius-ratio", "1.1")]).unwrap().locate(&refused("radius_ratio", 1.1)).to_string();
+    assert!(narrow.contains("3 touching strands need at least 1.1547"), "{narrow}");
     let flat = bare(&[("pitch-angle", "1e-200 rad")]).unwrap().locate(&refused("pitch_angle", 1e-200)).to_string();
     assert!(flat.contains("is pitch_angle = 1e-200 rad, and"), "{flat}");
     let long = bare(&[("ply-turns-per-length", "1e-320")]);

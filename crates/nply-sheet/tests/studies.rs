@@ -123,6 +123,22 @@ fn what_is_told_of_a_walk_names_states_as_they_are_listed() {
     assert!(other.last().unwrap().support == Support::Neighbours && other.notes()[0].ends_with("state 3 is followed."));
 }
 
+/// Flat rings are a limit: R/r grows beyond all bounds there, and a free helix carries nothing in the end.
+#[test]
+fn flat_rings_have_no_digits_of_their_own() {
+    let report = walked(
+        "ply.strands = 3\nstrand.stiffness_ratio = 0.75\ntwist.pretwist = -1\n",
+        "[[path]]\nload.force = -3\n",
+        Walk::default(),
+    );
+    let text = report.text(false);
+    let rings: Vec<&str> = text.lines().find(|line| line.contains("flat rings")).unwrap().split_whitespace().collect();
+    // angle, R/r, force, moment, p₁
+    assert_eq!(rings[rings.len() - 5..], ["90", "∞", "0", "0", "0"], "{text}");
+    let opens = text.lines().find(|line| line.contains("opens")).unwrap();
+    assert!(opens.contains("52.7826") && opens.contains("1.59494"), "{opens}");
+}
+
 #[test]
 fn straight_strands_are_called_straight() {
     let legs = "load = { force = 0.5, moment = -0.45 }\n[[path]]\nload.moment = -0.1\n";
@@ -201,7 +217,14 @@ fn a_map_counts_what_it_holds() {
     let share = |line: &str| line.split('%').next().unwrap().split_whitespace().last().unwrap().parse::<f64>().unwrap();
     let shares: f64 = text.lines().filter(|line| line.ends_with("of the points")).map(share).sum();
     assert!((shares - 100.0).abs() < 0.05, "{text}");
-    assert!(picture.svg(&map).contains("turns per strand length"));
+    let svg = picture.svg(&map);
+    assert!(svg.contains("turns per strand length"));
+    // four panels two and two: readable on a page
+    let size = |name: &str| -> f64 {
+        let from = svg.split_once(&format!(" {name}=\"")).unwrap().1;
+        from.split_once('"').unwrap().0.parse().unwrap()
+    };
+    assert!(size("width") < 2.0 * size("height"), "{} {}", size("width"), size("height"));
     // a thrust too great for any wire on the king wire leaves the birdcage whose wires touch
     let verdicts: Vec<Verdict> = rows.iter().flatten().map(|cell| cell.verdict(map.case().balance)).collect();
     assert!(verdicts.contains(&Verdict::Several) && verdicts.contains(&Verdict::One), "{verdicts:?}");

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
 use nply::mechanics::{Load, Twist};
+use nply_sheet::construction::ConstructionSpec;
 use nply_sheet::{ErrorKind, Quantity, Question, Spec, SpecError};
 
 fn spec(flags: &[(&str, &str)]) -> Spec {
@@ -38,13 +39,17 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
         ("Ne30", pound_per_hank / 30.0),
         ("NeC 30", pound_per_hank / 30.0),
         ("30Ne", pound_per_hank / 30.0),
+        ("Ne 30/1", pound_per_hank / 30.0),
+        ("Nm 1/40", 1e-3 / 40.0),
     ] {
         near(titre(text), kilograms_per_metre);
     }
     // a yarn of which 590.54 is the constant between tex and Ne in every table of counts
     assert!((titre("Ne 1") * 1e6 - 590.54).abs() < 5e-3);
     for (text, part) in [
-        ("Ne 30/2", "folded count"),
+        ("Ne 30/2", "\"Ne 30\", and 2 strands"),
+        ("Nm 2/28", "\"Nm 28\", and 2 strands"),
+        ("Ne 40/3", "\"Ne 40\", and 3 strands"),
         ("30/2", "folded count"),
         ("Ne 0", "too large"),
         ("Ne", "number"),
@@ -184,4 +189,33 @@ fn a_force_in_cn_per_tex_goes_by_the_titre_of_the_ply() {
     assert!((case.scale.unwrap().force(load.force) / newton - 1.0).abs() < 1e-14);
     let bare: Vec<_> = cord.iter().copied().filter(|(flag, _)| *flag != "linear-density").collect();
     assert!(refused(&bare).to_string().contains("linear density of a strand is missing"));
+}
+
+#[test]
+fn what_people_of_a_trade_write_is_read_or_answered() {
+    let value = |text: &str| Quantity::parse(text).unwrap_or_else(|error| panic!("{text}: {error}")).si();
+    near(value("205000 N/mm2"), 205e9);
+    near(value("7.85 t/m3"), 7850.0);
+    let share = spec(&[("strands", "3"), ("stiffness-ratio", "75%"), ("pretwist", "-1")]).check().unwrap();
+    near(share.stiffness_ratio, 0.75);
+    for (flag, text, part) in [
+        ("force", "13 tonne", "for a weight write kgf, tf or lbf"),
+        ("lay-length", "194 A", "did you mean `Å`?"),
+        ("lay-length", "194 Ang", "did you mean `Å`?"),
+        ("lay-length", "194 xyz", "what is wanted is a length, such as"),
+        ("lay-length", "14d", "`lay_ratio`"),
+        ("strand-length", "147 bp", "0.34 nm for each"),
+        ("temperature", "25 C", "did you mean `°C`?"),
+        ("strands", "6,12", "is a list, and one number is wanted; what is wanted is a whole number, such as 3"),
+        ("lay-length", "60 mm, 34 mm", "is a list"),
+        ("lay-length", "0,5 mm", "decimal point"),
+        ("turns-per-length", "5 turns/100m", "\"0.05 turns/m\""),
+        ("moment", "0 kN", "such as \"12 N m\""),
+        ("radius", "5%", "what is wanted is a length"),
+    ] {
+        let message = Spec::from_flags([(flag, text)]).unwrap_err().to_string();
+        assert!(message.contains(part), "{message}");
+    }
+    let list = ConstructionSpec::from_flags([("strands", "6,12")]).unwrap_err().to_string();
+    assert!(list.contains("a whole number, such as 3, once for each layer"), "{list}");
 }

@@ -28,6 +28,7 @@ pub(super) const VERB: Verb = Verb {
 fn arguments(command: Command) -> Command {
     let wanted = |key: &Key| key.table == Table::Lay || SHAPE.contains(&key.name);
     with_keys(command, wanted)
+        .mut_arg("strands", |strands| strands.help("Number of strands n, 2 or more; 1 for a single tube"))
         .arg(
             Arg::new("branches")
                 .long("branches")

@@ -17,11 +17,12 @@ Estimates numbers of the strands from measurements, by least squares with the er
 bending_stiffness, torsional_stiffness, youngs_modulus, shear_modulus, radius, diameter, pretwist, turns_per_length, strand_twist, and
 axial_stiffness (EA, the k of a string) where strands stretch. DATA is a table with a header that names columns and their units, as in
 `force [N],force_error,lay_length_mm`: loads and shapes in any mix. A column with errors is measured, one without is held; a load in no
-column and not in the ply's description is 0; an empty cell is not known. The ply comes from FILE and flags, as for `nply solve`; what is
+column and not in the ply's description is 0; an empty cell is not known. S and Z stand in place of the sign of turns; where `;` or
+tabs part the cells, commas are decimal. The ply comes from FILE and flags, as for `nply solve`; what is
 estimated stands there too, as a rough value to start from.
 
 Gives estimates with standard errors and correlations, the sum of squares and its chance, and every residual; says which numbers, or
-which combination, the data do not determine. Each row belongs to the state, of all in equilibrium, nearest to what was measured.";
+which combination, the data do not determine, which rows are left out and which stands alone. Each row belongs to the state, of all in equilibrium, nearest to what was measured.";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -64,7 +65,7 @@ fn arguments(command: Command) -> Command {
                 .long("error")
                 .value_name("COLUMN=ERROR")
                 .action(ArgAction::Append)
-                .help("Standard error of a column in every row: lay_length=0.1mm, force=2%"),
+                .help("Standard error of a column in every row: lay_length=0.1mm, force=2%; or of an estimate's start, where that was measured too: diameter=0.01mm"),
         )
         .arg(count("starts", "Starts of the search, the given one and others about it (12)", 1000))
         .arg(output::file("Where to write the residuals, one row a row of the data (CSV)"))

@@ -11,7 +11,9 @@ use crate::output::{self, Format};
 
 const ABOUT: &str = "\
 Prints the linking number of each two curves: an integer, counted, for closed curves; the Gauss integral where one of them is
-open. Curves can come from several files.";
+open. Curves can come from several files. Strands that wind right-handed about each other and run the same way have a positive
+number. The strands of a duplex in a PDB file, each from 5' to 3', run against each other, which turns the sign: --reverse B
+reads one of them backwards; a circle needs --closed.";
 
 pub(super) const VERB: Verb =
     Verb { name: "link", about: "How curves in files are linked", long: ABOUT, examples: false, arguments, run };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use nply::Handedness;
 use nply::mechanics::Balance;
@@ -17,7 +17,8 @@ use crate::output::{self, Draft};
 
 const LONG: &str = "\
 Draws what is asked of every state while one datum runs: whole curves with their folds, every state of both hands, dashed where
-neighbours would have to pull on each other. Several numbers of strands, hands and balances go in one picture; several things asked
+neighbours would have to pull on each other, or without those with --touching. Where a lay runs and only the shape is asked, with no twist
+and no load, all is geometry and nothing dashed. Several numbers of strands, hands and balances go in one picture; several things asked
 stand above each other. Without --output the picture is shown in the terminal.";
 
 const EXAMPLES: &str = "\
@@ -75,9 +76,14 @@ fn arguments(command: Command) -> Command {
         .arg(
             list("hand", "hands")
                 .value_name("right|left|both")
-                .value_parser(PossibleValuesParser::new(["right", "left", "both"]))
-                .help("Which hand; both if not said"),
+                .value_parser(PossibleValuesParser::new([
+                    PossibleValue::new("right").aliases(["Z", "z"]),
+                    PossibleValue::new("left").aliases(["S", "s"]),
+                    PossibleValue::new("both"),
+                ]))
+                .help("Which hand, Z for right and S for left; both if not said"),
         )
+        .arg(switch("touching", "Leave out the states on which neighbours would have to pull on each other"))
         .arg(
             Arg::new("output")
                 .long("output")
@@ -95,7 +101,8 @@ fn arguments(command: Command) -> Command {
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {
     let input = input::read(arguments)?;
     let words = |name: &str| arguments.get_many::<String>(name).into_iter().flatten().cloned().collect::<Vec<String>>();
-    let both = |words: &[String], name: &str| words.iter().any(|word| word == name || word == "both");
+    let both =
+        |words: &[String], name: &str| words.iter().any(|word| word.eq_ignore_ascii_case(name) || word == "both");
     let (hands, balances) = (words("hands"), words("balances"));
     let flags = GraphFlags {
         sweep: arguments.get_one::<String>("sweep").cloned().unwrap_or_default(),
@@ -103,11 +110,12 @@ fn run(arguments: &ArgMatches) -> Result<(), Failure> {
         against: arguments.get_one::<String>("against").cloned(),
         strands: arguments.get_many::<u32>("plies").into_iter().flatten().copied().collect(),
         balances: Balance::BOTH.into_iter().filter(|balance| both(&balances, balance.name())).collect(),
-        hands: [(Handedness::Right, "right"), (Handedness::Left, "left")]
+        hands: [(Handedness::Right, ["right", "Z"]), (Handedness::Left, ["left", "S"])]
             .into_iter()
-            .filter(|(_, name)| both(&hands, name))
+            .filter(|(_, names)| names.iter().any(|name| both(&hands, name)))
             .map(|(hand, _)| hand)
             .collect(),
+        touching: arguments.get_flag("touching"),
         scales: Scales { log_x: arguments.get_flag("log-x"), log_y: arguments.get_flag("log-y") },
     };
     let graph = input.spec.check_graph(&flags).map_err(|error| input.refused(error))?;

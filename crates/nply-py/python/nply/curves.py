@@ -39,6 +39,7 @@ def writhe(
     tolerance: float | None = None,
     unit: str | None = None,
     read_as: str | None = None,
+    reverse: Sequence[str] = (),
 ) -> Report:
     """The writhe of curves, closed or open, exact for the polygon, with a bound for its rounding error (``nply writhe``).
 
@@ -54,6 +55,7 @@ def writhe(
         tolerance: what the tree may be wrong by in all, in turns; 1e-6 if absent.
         unit: the unit of the coordinates, for lengths with a unit.
         read_as: the files' format, where name and beginning do not tell it.
+        reverse: names of curves, as in the report, that are read from their last point to their first.
 
     Returns:
         :class:`Report` with ``writhe`` and ``error_bound`` (of one curve; None for several) and ``curves``.
@@ -77,7 +79,7 @@ def writhe(
         raise ValueError("tolerance: crossings are counted without error; it goes with method=\"tree\"")
     wanted = 1e-6 if method == "tree" and tolerance is None else tolerance
     direction = None if axis is None else [float(x) for x in np.asarray(axis, dtype=np.float64).reshape(3)]
-    given = _given(curves, closed, extend, extend_along, unit, read_as)
+    given = _given(curves, closed, extend, extend_along, unit, read_as, reverse)
     return Report(_nply.writhe(given, direction, ribbon, average_crossings, wanted))
 
 
@@ -111,12 +113,14 @@ def link(
     extend_along: Literal["tangents", "chord"] = "tangents",
     unit: str | None = None,
     read_as: str | None = None,
+    reverse: Sequence[str] = (),
 ) -> Report:
     """The linking number of each two curves: an integer for closed ones, the Gauss integral where one is open (``nply link``).
 
     Args:
         curves: see :mod:`nply.curves`; at least two.
-        closed, extend, extend_along, unit, read_as: as for :func:`writhe`.
+        closed, extend, extend_along, unit, read_as, reverse: as for :func:`writhe`. Strands of a duplex in a PDB file, each from 5' to 3',
+            run against each other: reversing one gives the link the sign it has in the literature.
 
     Returns:
         :class:`Report` with the matrix ``linking_numbers`` (0 on the diagonal) and ``error_bounds``.
@@ -131,7 +135,7 @@ def link(
     >>> abs(nply.link([one, other], closed=True).linking_numbers[0][1])
     1
     """
-    return Report(_nply.link(_given(curves, closed, extend, extend_along, unit, read_as)))
+    return Report(_nply.link(_given(curves, closed, extend, extend_along, unit, read_as, reverse)))
 
 
 def clearance(
@@ -141,13 +145,14 @@ def clearance(
     closed: bool | None = None,
     unit: str | None = None,
     read_as: str | None = None,
+    reverse: Sequence[str] = (),
 ) -> Report:
     """The least distance of any two different wires, where it is, and which overlap (``nply clearance``).
 
     Args:
         curves: centrelines, see :mod:`nply.curves`.
         diameter: the wires' diameter, or one for each; else a column ``diameter`` of the file.
-        closed, unit, read_as: as for :func:`writhe`.
+        closed, unit, read_as, reverse: as for :func:`writhe`.
 
     Returns:
         :class:`Report` with ``least_distance``, ``clearance`` (that less the diameter), ``overlapping_pairs``, ``where``, ``itself``.
@@ -163,11 +168,17 @@ def clearance(
         diameters = [diameter]
     else:
         diameters = list(diameter)
-    return Report(_nply.clearance(_given(curves, closed, None, "tangents", unit, read_as), diameters))
+    return Report(_nply.clearance(_given(curves, closed, None, "tangents", unit, read_as, reverse), diameters))
 
 
 def _given(
-    curves: Curves, closed: bool | None, extend: Length | None, extend_along: str, unit: str | None, read_as: str | None
+    curves: Curves,
+    closed: bool | None,
+    extend: Length | None,
+    extend_along: str,
+    unit: str | None,
+    read_as: str | None,
+    reverse: Sequence[str],
 ) -> dict[str, Any]:
     if _is_path(curves):
         files = [_file(curves)]
@@ -184,6 +195,7 @@ def _given(
         "closed": closed,
         "extend": extend,
         "extend_along": extend_along,
+        "reverse": [reverse] if isinstance(reverse, str) else list(reverse),
     }
 
 

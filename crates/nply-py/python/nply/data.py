@@ -82,6 +82,8 @@ class ConstructionData(TypedDict, total=False):
     core_material: str
     core_youngs_modulus: Quantity
     core_poissons_ratio: float | str | list[float | str]
+    core_tensile_strength: Quantity
+    core_fibre: bool
     strands: int | list[int]
     wire_diameter: Quantity
     lay_length: Quantity
@@ -93,6 +95,7 @@ class ConstructionData(TypedDict, total=False):
     wire_material: str
     wire_youngs_modulus: Quantity
     wire_poissons_ratio: float | str | list[float | str]
+    wire_tensile_strength: Quantity
     preforming: float | str | list[float | str]
     wire_pretwist: Quantity
     force: Quantity

@@ -42,7 +42,8 @@ def plot(
     against: str | None = None,
     strands: int | Sequence[int] | None = None,
     balance: Literal["contact", "radial", "both"] | None = None,
-    hand: Literal["right", "left", "both"] | None = None,
+    hand: Literal["right", "left", "Z", "S", "both"] | None = None,
+    touching: bool = False,
     log_x: bool = False,
     log_y: bool = False,
     **data: Any,
@@ -56,7 +57,8 @@ def plot(
         against: what stands on the axis below, if not what runs.
         strands: one number of strands or several, if not that of the document.
         balance: which balance, or both.
-        hand: which hand; both if absent.
+        hand: which hand, Z for right and S for left; both if absent.
+        touching: leave out the states on which neighbours would have to pull on each other.
         log_x, log_y: equal lengths for equal ratios.
         **data: single data.
 
@@ -84,6 +86,7 @@ def plot(
         "strands": several(strands),
         "balances": several(balance),
         "hands": several(hand),
+        "touching": touching,
         "log_x": log_x,
         "log_y": log_y,
     }

@@ -35,7 +35,7 @@ pub(super) fn strand_radius(spec: &Spec) -> Result<Option<f64>, SpecError> {
         Datum::PitchAngle => Lay::PitchAngle(given).contact(count),
         Datum::LayRatio => Lay::LayRatio(given).contact(count),
         Datum::RadiusRatio => return helix.positive(radius / lay.positive(given)?).map(Some),
-        _ => return Err(overdetermined(helix, lay)),
+        _ => return Err(without_units(helix, lay)),
     };
     let refused = |error: DomainError| {
         lay.error(ErrorKind::Domain, format!("{}, and no ply of {count} strands has it: {error}", lay.said()))
@@ -48,7 +48,11 @@ pub(super) fn check(spec: &Spec, lay: Option<&Entry>) -> Result<(), SpecError> {
     let (Some(helix), Some(lay)) = (spec.get(Datum::HelixRadius), lay) else { return Ok(()) };
     let sized = spec.entries.iter().any(|entry| entry.key.group == Some(Group::Size))
         || spec.get(Datum::LinearDensity).is_some();
-    if sized || !helix.is_measured() { Err(overdetermined(helix, lay)) } else { Ok(()) }
+    match (sized, helix.is_measured()) {
+        (true, _) => Err(overdetermined(helix, lay)),
+        (false, false) => Err(without_units(helix, lay)),
+        (false, true) => Ok(()),
+    }
 }
 
 fn overdetermined(helix: &Entry, lay: &Entry) -> SpecError {
@@ -56,6 +60,17 @@ fn overdetermined(helix: &Entry, lay: &Entry) -> SpecError {
         "of {}, {} and the size of the strand two determine the third: remove one of them",
         helix.said(),
         lay.said()
+    );
+    helix.error(ErrorKind::Contradiction, message)
+}
+
+/// Helix radius and lay give the strand's size, which bare numbers have already: they are in strand radii.
+fn without_units(helix: &Entry, lay: &Entry) -> SpecError {
+    let message = format!(
+        "{} and {} give the size of a strand, and bare numbers are in strand radii: write both lengths with a unit, such as \"{} Å\"",
+        helix.said(),
+        lay.said(),
+        crate::preferred::six_digits(if helix.is_measured() { lay.number() } else { helix.number() })
     );
     helix.error(ErrorKind::Contradiction, message)
 }

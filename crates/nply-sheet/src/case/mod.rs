@@ -67,6 +67,8 @@ pub struct Case {
     pub strand_radius: Option<f64>,
     /// L/r, where the strand length is given.
     pub strand_length: Option<f64>,
+    /// Mass per length of one strand, kg/m, where it is given.
+    pub linear_density: Option<f64>,
     /// Share of a strand's cross-section that is fibre, where its titre gives its size.
     pub packing_fraction: Option<f64>,
     /// The units the input was written in.
@@ -212,6 +214,7 @@ impl Case {
             scale: strand.scale,
             strand_radius: strand.radius,
             strand_length,
+            linear_density: spec.get(Datum::LinearDensity).map(Entry::number),
             packing_fraction: fibre::given_packing(spec)?,
             units: PreferredUnits::of(spec),
             origins: Origins::of(spec),
@@ -237,6 +240,12 @@ impl Case {
     /// Whether a datum was given, and not taken to be 0.
     pub(crate) fn gives(&self, datum: Datum) -> bool {
         self.origins.give(datum)
+    }
+
+    /// Whether the strands may be solid and round. Molecules, known by how they bend in a solvent, and bundles of fibres with room between
+    /// them are not.
+    pub(crate) fn may_be_solid(&self) -> bool {
+        !self.gives(Datum::BendingPersistenceLength) && self.packing_fraction.is_none_or(|share| share >= 1.0)
     }
 
     /// A refusal of what no ply let go can be, at a datum or at any of its group.

@@ -5,8 +5,9 @@ use nply::geometry::SpecialLays;
 
 use super::ends;
 use crate::key::Group;
-use crate::spec::{Entry, Spec};
-use crate::{Case, Datum, ErrorKind, Place, Question, SpecError};
+use crate::preferred::six_digits;
+use crate::spec::{Entry, Spec, Value};
+use crate::{Case, Datum, ErrorKind, Place, Quantity, Question, SpecError};
 
 /// Where each datum of a case was written.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +53,9 @@ impl Origins {
             let message = format!("no ply can be like this: {quantity} = {}{unit} must be {allowed}", short(value));
             return SpecError::new(ErrorKind::Domain, self.head.clone(), message).of_key(quantity);
         };
+        if let Some(message) = self.too_narrow(entry, error) {
+            return entry.error(ErrorKind::Domain, message);
+        }
         let said = entry.said();
         // what was written need not be said again
         let message = if entry.key.name == quantity && entry.is_bare(value) {
@@ -60,6 +64,35 @@ impl Origins {
             format!("{said} is {quantity} = {}{unit}, and no ply has it: it must be {allowed}", short(value))
         };
         entry.error(ErrorKind::Domain, message)
+    }
+
+    /// What is to be said of a helix or core on which touching strands have no room: what they need at least, in the words of whoever wrote it.
+    fn too_narrow(&self, entry: &Entry, error: &DomainError) -> Option<String> {
+        let strands = self.entries.iter().find(|entry| entry.key.datum == Datum::Strands)?.number();
+        // straight strands that touch: R/r = 1/sin(π/n)
+        let least = 1.0 / libm::sin(core::f64::consts::PI / strands);
+        if error.quantity != "radius_ratio" || !(error.value > 0.0 && error.value < least) {
+            return None;
+        }
+        // what is written is proportional to R, or to R − r
+        let below = match entry.key.datum {
+            Datum::HelixRadius | Datum::RadiusRatio => 0.0,
+            Datum::CoreRadius | Datum::CoreDiameter => 1.0,
+            _ => return None,
+        };
+        let needed = entry.number() * (least - below) / (error.value - below);
+        let needed = match &entry.value {
+            Value::Quantity(Quantity::Measured { unit, .. }) => format!("{} {unit}", six_digits(unit.of_si(needed))),
+            _ => six_digits(needed),
+        };
+        let ratio = six_digits(error.value);
+        let room = if entry.key.datum == Datum::RadiusRatio && entry.is_bare(error.value) {
+            format!("{strands} touching strands need at least {needed}, 1/sin(180°/{strands})")
+        } else {
+            let least = six_digits(least);
+            format!("with it R/r is {ratio}, and {strands} touching strands need at least {least}, here {needed}")
+        };
+        Some(format!("{}: {room}", entry.said()))
     }
 
     /// A refusal said at a datum, at another of its group, or at the head of the input.

@@ -70,7 +70,7 @@ pub(super) fn of(
                 None => format!("{} or a twist", spec.call(datum)),
             };
             let message = format!(
-                "beside {} two of twist, force and moment are needed, and the third is found; only {} is given: add {others} (0 if there is none)",
+                "beside {} two of twist, force and moment are needed, and the third is found; only {} is given: add {others} (0 if there is none), or leave the lay out and have it found",
                 lay_entry.said(),
                 given.map(Entry::said).unwrap_or_default(),
             );

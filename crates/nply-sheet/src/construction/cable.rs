@@ -1,16 +1,17 @@
 //! A strand or rope as something that carries: the theory's cable, and the loads on it.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use nply::DomainError;
-use nply::geometry::WireStrand;
+use nply::geometry::{LayerContact, WireLayer, WireStrand};
 use nply::mechanics::{Cable, CableGrips, Layer as Laid, Rod};
 
 use super::check::turning;
-use super::{Construction, ConstructionSpec, Layer};
+use super::{Construction, ConstructionSpec, Core, Layer};
 use crate::key::Group;
+use crate::preferred::six_digits;
 use crate::spec::Entry;
-use crate::{Datum, ErrorKind, Key, SpecError};
+use crate::{Datum, Dimension, ErrorKind, Key, SpecError};
 
 /// A cable with its loads, and what is to be found for it.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct CableCase {
     pub construction: Construction,
     /// As the theory has it, in the units of the construction.
     pub cable: Cable,
+    /// What the core (if there is one) and the rods of each layer are made of, from the inside: a strand within, or `None` of solid ones.
+    pub strands: Vec<Option<Cable>>,
     /// What its ends are given; `None` as laid.
     pub grips: Option<CableGrips>,
     /// What else is asked.
@@ -69,6 +72,13 @@ impl ConstructionSpec {
             return Err(entry.error(ErrorKind::Contradiction, message));
         }
         let cable = self.cable_of(&construction)?;
+        let core = construction.core.iter().map(|core| (core.strand.as_deref(), self.core_strand.as_deref()));
+        let layers = construction.layers.iter().zip(&self.layers);
+        let layers = layers.map(|(layer, part)| (layer.strand.as_deref(), part.strand.as_deref()));
+        let within = core
+            .chain(layers)
+            .map(|(strand, spec)| strand.zip(spec).map(|(strand, spec)| spec.cable_of(strand)).transpose());
+        let strands = within.collect::<Result<Vec<_>, SpecError>>()?;
         let finite = |entry: &Entry| entry.finite(entry.number());
         let force = self.head(Datum::CableForce).map(finite).transpose()?;
         let ends: Vec<&Entry> = self.head.iter().filter(|entry| entry.key.group == Some(Group::Ends)).collect();
@@ -86,7 +96,7 @@ impl ConstructionSpec {
                 Some(CableGrips::Turned { force: force.unwrap_or(0.0), turning: turned.unwrap_or(0.0) })
             }
         };
-        Ok(CableCase { question: self.balance(construction.layers.len())?, construction, cable, grips })
+        Ok(CableCase { question: self.balance(construction.layers.len())?, construction, cable, strands, grips })
     }
 
     fn balance(&self, layers: usize) -> Result<CableQuestion, SpecError> {
@@ -123,14 +133,17 @@ impl ConstructionSpec {
     fn cable_of(&self, construction: &Construction) -> Result<Cable, SpecError> {
         let core = match &construction.core {
             None => None,
-            Some(core) => Some(match (&core.strand, &self.core_strand) {
-                (Some(strand), Some(spec)) => spec.rod_of(strand)?,
-                _ => {
-                    let modulus = self.known(None, core.youngs_modulus, Datum::StrandCoreYoungsModulus)?;
-                    let nu = self.known(None, core.poissons_ratio, Datum::StrandCorePoissonsRatio)?;
-                    self.rod(0, 0.5 * core.diameter, modulus, nu)?
-                }
-            }),
+            Some(core) => {
+                let rod = match (&core.strand, &self.core_strand) {
+                    (Some(strand), Some(spec)) => spec.rod_of(strand)?,
+                    _ => {
+                        let modulus = self.known(None, core.youngs_modulus, Datum::StrandCoreYoungsModulus)?;
+                        let nu = self.known(None, core.poissons_ratio, Datum::StrandCorePoissonsRatio)?;
+                        self.rod(0, 0.5 * core.diameter, [modulus, nu], core.tensile_strength)?
+                    }
+                };
+                Some(if core.fibre { rod.uncounted() } else { rod })
+            }
         };
         let layers = construction.layers.iter().enumerate().map(|(at, layer)| {
             let within = self.layers.get(at).and_then(|part| part.strand.as_ref());
@@ -139,7 +152,7 @@ impl ConstructionSpec {
                 _ => {
                     let modulus = self.known(Some(at), layer.youngs_modulus, Datum::LayerYoungsModulus)?;
                     let nu = self.known(Some(at), layer.poissons_ratio, Datum::LayerPoissonsRatio)?;
-                    self.rod(at, 0.5 * layer.wire_diameter, modulus, nu)?
+                    self.rod(at, 0.5 * layer.wire_diameter, [modulus, nu], layer.tensile_strength)?
                 }
             };
             let Layer { wires, hand, lay, preforming, pretwist, .. } = *layer;
@@ -153,8 +166,10 @@ impl ConstructionSpec {
         Cable::new(core, &layers).map_err(|error| self.locate(0, &error))
     }
 
-    fn rod(&self, at: usize, radius: f64, modulus: f64, nu: f64) -> Result<Rod, SpecError> {
-        Rod::solid_round(radius, modulus, nu).map_err(|error| self.locate(at, &error))
+    fn rod(&self, at: usize, radius: f64, [modulus, nu]: [f64; 2], strength: Option<f64>) -> Result<Rod, SpecError> {
+        let rod = Rod::solid_round(radius, modulus, nu);
+        let rod = rod.and_then(|rod| strength.map_or(Ok(rod), |strength| rod.of_strength(strength)));
+        rod.map_err(|error| self.locate(at, &error))
     }
 
     fn rod_of(&self, strand: &Construction) -> Result<Rod, SpecError> {
@@ -173,13 +188,35 @@ impl ConstructionSpec {
                 Some(layer) if self.layers.len() > 1 => format!(" of layer {}", layer + 1),
                 _ => String::new(),
             };
-            self.missing(layer, datum, format!("{what}{which} is missing: give {}", self.ask_for(datum)))
+            let entries =
+                layer.map_or(&self.head, |layer| self.layers.get(layer).map_or(&self.head, |part| &part.entries));
+            let material = entries.iter().find(|entry| {
+                matches!(entry.key.datum, Datum::StrandCoreMaterial if layer.is_none())
+                    || matches!(entry.key.datum, Datum::LayerMaterial if layer.is_some())
+            });
+            let aside = material.map_or(String::new(), |entry| format!(" ({} tells the density alone)", entry.said()));
+            self.missing(layer, datum, format!("{what}{which} is missing{aside}: give {}", self.ask_for(datum)))
         })
     }
 
-    /// A refusal of the theory under loads, at the load it is about.
+    /// A refusal of the theory under the loads of a case, at the load it is about.
     #[must_use]
-    pub fn locate_load(&self, error: &DomainError) -> SpecError {
+    pub fn locate_load(&self, case: &CableCase, error: &DomainError) -> SpecError {
+        if let (Some(entry), Some(CableGrips::Turned { turning, .. })) = (self.head(Datum::CableTurning), case.grips)
+            && let Some((layer, straight)) = Construction::unlaid_by(&case.cable, turning)
+        {
+            let construction = &case.construction;
+            let turns = match construction.measured {
+                true => construction.units.format(Dimension::ANGLE_PER_LENGTH, straight),
+                false => six_digits(straight / TAU),
+            };
+            let message = format!(
+                "{}: layer {} would be unlaid; its wires are straight at {turns}, one turn a lay length against their hand",
+                entry.said(),
+                layer + 1
+            );
+            return entry.error(ErrorKind::Domain, message);
+        }
         let datum = match error.quantity {
             "moment" => Datum::CableMoment,
             "turning" => Datum::CableTurning,
@@ -205,6 +242,13 @@ impl ConstructionSpec {
     }
 }
 
+impl Core {
+    /// How much of its outline is metal: 0 of fibre, 1 of a king wire.
+    pub(crate) fn metal_share(&self) -> f64 {
+        if self.fibre { 0.0 } else { self.strand.as_deref().map_or(1.0, Construction::solid_share) }
+    }
+}
+
 impl Construction {
     /// The geometry of the strand as laid.
     ///
@@ -218,12 +262,48 @@ impl Construction {
         Ok(strand)
     }
 
+    /// Of the strands within whose wires do not fit beside each other on what is below, a sentence each; `length` says a length.
+    pub(crate) fn crowded_within(&self, length: &dyn Fn(f64) -> String) -> Vec<String> {
+        let core = self.core.iter().filter_map(|core| Some(("the core".to_owned(), core.strand.as_deref()?)));
+        let layers = self.layers.iter().enumerate();
+        let layers = layers
+            .filter_map(|(at, layer)| Some((format!("the strands of layer {}", at + 1), layer.strand.as_deref()?)));
+        core.chain(layers).flat_map(|(whose, strand)| strand.crowded(&whose, length)).collect()
+    }
+
+    /// The same of this strand itself.
+    pub(crate) fn crowded(&self, whose: &str, length: &dyn Fn(f64) -> String) -> Vec<String> {
+        let Ok(laid) = self.laid() else { return Vec::new() };
+        let off = |layer: &&WireLayer| layer.contact() == LayerContact::Neighbours && layer.core_radius() > 0.0;
+        let core = self.core.as_ref().map_or(0.0, |core| core.diameter);
+        let drawn = self.layers.iter().fold(core, |sum, layer| sum + 2.0 * layer.wire_diameter);
+        let sentence = |layer: &WireLayer| {
+            format!(
+                "In {whose}, {} wires do not fit beside each other on what is below: laid on it they would overlap by {}. They touch each other instead, so that the strand \
+                 is {} thick, not {}.",
+                layer.wires(),
+                length(-layer.gap()),
+                length(2.0 * laid.outer_radius()),
+                length(drawn)
+            )
+        };
+        laid.layers().iter().filter(off).map(sentence).collect()
+    }
+
+    /// The first layer that so many turns would lay straight, and more turn the other way round: its number from 0, with the turning (rad per
+    /// length) that does, one turn a lay length.
+    fn unlaid_by(cable: &Cable, turning: f64) -> Option<(usize, f64)> {
+        let straight = |at: usize, layer: &Laid| Some(-layer.handedness.sign() * TAU / cable.lay_length(at).ok()?);
+        let of_layers = cable.layers().enumerate().filter_map(|(at, layer)| Some((at, straight(at, layer)?)));
+        let passed = of_layers.filter(|(_, straight)| turning / straight >= 1.0);
+        passed.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
+    }
+
     /// How much of the outline's area is wire, sections counted square to each.
     pub(crate) fn solid_share(&self) -> f64 {
         let Ok(laid) = self.laid() else { return f64::NAN };
         let share = |strand: Option<&Self>| strand.map_or(1.0, Self::solid_share);
-        let core =
-            self.core.as_ref().map_or(0.0, |core| 0.25 * core.diameter * core.diameter * share(core.strand.as_deref()));
+        let core = self.core.as_ref().map_or(0.0, |core| 0.25 * core.diameter * core.diameter * core.metal_share());
         let wires = self.layers.iter().map(|layer| {
             0.25 * f64::from(layer.wires) * layer.wire_diameter * layer.wire_diameter * share(layer.strand.as_deref())
         });

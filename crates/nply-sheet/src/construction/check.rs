@@ -32,6 +32,25 @@ pub(crate) struct Stuff {
     pub(crate) density: Option<f64>,
     pub(crate) youngs_modulus: Option<f64>,
     pub(crate) poissons_ratio: Option<f64>,
+    pub(crate) tensile_strength: Option<f64>,
+    /// Of a core alone.
+    pub(crate) fibre: bool,
+}
+
+impl Stuff {
+    /// A core of it.
+    pub(super) fn core(self, diameter: f64, strand: Option<Construction>) -> Core {
+        let Self { density, youngs_modulus, poissons_ratio, tensile_strength, fibre } = self;
+        Core {
+            diameter,
+            density,
+            youngs_modulus,
+            poissons_ratio,
+            tensile_strength,
+            fibre,
+            strand: strand.map(Box::new),
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -86,7 +105,7 @@ impl ConstructionSpec {
                 None if several => return Err(self.ask(at, Datum::LayerHand)),
                 hand => hand.unwrap_or(Handedness::Right),
             };
-            let Stuff { density, youngs_modulus, poissons_ratio } = layer.stuff;
+            let Stuff { density, youngs_modulus, poissons_ratio, tensile_strength, .. } = layer.stuff;
             layers.push(Layer {
                 wires: layer.wires,
                 wire_diameter,
@@ -95,15 +114,14 @@ impl ConstructionSpec {
                 density,
                 youngs_modulus,
                 poissons_ratio,
+                tensile_strength,
                 preforming: layer.preforming,
                 pretwist: layer.pretwist,
                 strand: layer.strand.clone().map(Box::new),
             });
         }
-        let Stuff { density, youngs_modulus, poissons_ratio } = given.core;
         let core = given.core_diameter.filter(|diameter| *diameter > 0.0);
-        let strand = given.core_strand.map(Box::new);
-        let core = core.map(|diameter| Core { diameter, density, youngs_modulus, poissons_ratio, strand });
+        let core = core.map(|diameter| given.core.core(diameter, given.core_strand));
         let Given { title, measured, units, written, .. } = given;
         Ok(Construction { title, core, layers, measured, units, written })
     }
@@ -243,7 +261,7 @@ impl ConstructionSpec {
             let message = format!("{} belongs to the wires of the strand that is described below it", entry.said());
             return Err(entry.error(ErrorKind::Contradiction, message));
         }
-        Ok(Stuff { density: strand.mean_density(), ..Stuff::default() })
+        Ok(Stuff { density: strand.mean_density(), fibre: own.fibre, ..Stuff::default() })
     }
 
     /// What a layer lacks.
@@ -289,9 +307,16 @@ fn whole(entry: &Entry) -> Result<u32, SpecError> {
     Err(entry.error(ErrorKind::Domain, message))
 }
 
-/// Density, E and ν, as far as they are given.
+/// Density, E, ν and strength, as far as they are given.
 fn stuff(entries: &[Entry]) -> Result<Stuff, SpecError> {
     let of_kind = |kind: Kind| entries.iter().find(|entry| entry.key.kind == kind);
+    let named = |name: &str| entries.iter().find(|entry| entry.key.name == name);
+    let fibre = named("fibre").filter(|entry| entry.value == Value::Switch(true));
+    let metal = || entries.iter().find(|entry| entry.key.table == Table::Core && is_material(entry.key.datum));
+    if let (Some(fibre), Some(metal)) = (fibre, metal()) {
+        let message = format!("{} and {} contradict each other: remove one of the two", metal.said(), fibre.said());
+        return Err(fibre.error(ErrorKind::Contradiction, message));
+    }
     let poisson = entries.iter().find(|entry| entry.key.name == "poissons_ratio");
     let poissons_ratio = poisson.map(Entry::number);
     if let (Some(entry), Some(nu)) = (poisson, poissons_ratio)
@@ -316,7 +341,13 @@ fn stuff(entries: &[Entry]) -> Result<Stuff, SpecError> {
         }
         None => of_kind(Kind::Density).map(positive).transpose()?,
     };
-    Ok(Stuff { density, youngs_modulus: of_kind(Kind::Modulus).map(positive).transpose()?, poissons_ratio })
+    Ok(Stuff {
+        density,
+        youngs_modulus: named("youngs_modulus").map(positive).transpose()?,
+        poissons_ratio,
+        tensile_strength: named("tensile_strength").map(positive).transpose()?,
+        fibre: fibre.is_some(),
+    })
 }
 
 /// Refuses two data of which only one can be given.

@@ -91,9 +91,7 @@ impl Fit {
     #[must_use]
     pub fn core(&self) -> Option<Core> {
         let diameter = self.strand.core_radius().map(|radius| 2.0 * radius).filter(|diameter| *diameter > 0.0)?;
-        let Stuff { density, youngs_modulus, poissons_ratio } = self.core;
-        let strand = self.core_strand.clone().map(Box::new);
-        Some(Core { diameter, density, youngs_modulus, poissons_ratio, strand })
+        Some(self.core.core(diameter, self.core_strand.clone()))
     }
 }
 

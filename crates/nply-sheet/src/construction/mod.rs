@@ -68,6 +68,10 @@ pub struct Core {
     pub youngs_modulus: Option<f64>,
     /// ν, greater than −1 and at most 0.5.
     pub poissons_ratio: Option<f64>,
+    /// > 0, Pa where there are units.
+    pub tensile_strength: Option<f64>,
+    /// Whether its section counts neither as metal nor for the breaking load.
+    pub fibre: bool,
     /// Where the core is a strand itself: that strand.
     pub strand: Option<Box<Construction>>,
 }
@@ -90,6 +94,8 @@ pub struct Layer {
     pub youngs_modulus: Option<f64>,
     /// ν, greater than −1 and at most 0.5.
     pub poissons_ratio: Option<f64>,
+    /// > 0, Pa where there are units.
+    pub tensile_strength: Option<f64>,
     /// How far the wires were bent to their lay beforehand: 0 straight, 1 free of stress in it, which they are where nothing is said.
     pub preforming: f64,
     /// Twist put into each wire before it was laid, rad per wire length, right-handed positive.

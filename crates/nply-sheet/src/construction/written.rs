@@ -292,10 +292,17 @@ impl ConstructionSpec {
         }
     }
 
-    /// What is missing, at the layer it is missing in or at the head of the input.
+    /// What is missing, at the layer or beside the keys of the table it is missing in, else at the head of the input.
     pub(crate) fn missing(&self, layer: Option<usize>, datum: Datum, message: impl Into<String>) -> SpecError {
-        let (name, flag) = Key::of(datum).map_or(("", ""), |key| (key.name, key.flag));
-        let part = layer.and_then(|layer| self.layers.get(layer)).map(|part| part.place.clone());
+        let key = Key::of(datum);
+        let (name, flag) = key.map_or(("", ""), |key| (key.name, key.flag));
+        let beside = || {
+            self.head
+                .iter()
+                .find(|entry| key.is_some_and(|key| key.table == entry.key.table))
+                .map(|entry| entry.place.clone())
+        };
+        let part = layer.and_then(|layer| self.layers.get(layer)).map(|part| part.place.clone()).or_else(beside);
         let in_file = part.filter(|place| matches!(place, Place::File { .. })).or_else(|| self.start.clone());
         let place = in_file.unwrap_or_else(|| Place::Flag(flag.to_owned()));
         SpecError::new(ErrorKind::Missing, place, message).of_key(name)
@@ -388,7 +395,11 @@ fn unknown_key(table: Table, written: &str, place: Place) -> SpecError {
         Some(key) => format!("it belongs below {}", header(key.table)),
         None => match nearest(written, of_table()) {
             Some(name) => format!("did you mean `{name}`?"),
-            None => format!("its keys are {}", of_table().collect::<Vec<_>>().join(", ")),
+            None => {
+                let within = matches!(table, Table::Core | Table::Layer).then_some(STRAND);
+                let keys: Vec<&str> = of_table().chain(within).collect();
+                format!("its keys are {}", keys.join(", "))
+            }
         },
     };
     let message = format!("{} is no key of {}", ticked(written), header(table));

@@ -144,8 +144,15 @@ impl Chain {
 
     /// The chain's curve, and what is to be said of it.
     fn trace(mut self, found: &mut Found) {
-        // hetero groups count where they are links of a chain
-        self.residues.retain(|residue| !residue.hetero || residue.backbone == [true; 2] || residue.sugar);
+        // hetero groups count where they are links of a chain: by their atoms, or between others, as selenomethionines in a file of Cα alone
+        let links = |residue: &Residue| !residue.hetero;
+        let inside = self.residues.iter().position(links).zip(self.residues.iter().rposition(links));
+        let mut at = 0..;
+        self.residues.retain(|residue| {
+            let at = at.next();
+            let between = inside.zip(at).is_some_and(|((first, last), at)| first < at && at < last);
+            !residue.hetero || residue.backbone == [true; 2] || residue.sugar || between
+        });
         let protein = self.residues.iter().any(|residue| residue.alpha.is_some());
         let atoms: Vec<(&Residue, &Atom)> = self
             .residues
@@ -169,7 +176,8 @@ impl Chain {
         }
         let hetero = atoms.iter().filter(|(residue, _)| residue.hetero).count();
         if hetero > 0 {
-            say(format!("{} among hetero atoms (HETATM) are taken in", counted(hetero, "residue")));
+            let are = if hetero == 1 { "is" } else { "are" };
+            say(format!("{} among hetero atoms (HETATM) {are} taken in", counted(hetero, "residue")));
         }
         let jumps: Vec<String> = atoms
             .windows(2)

@@ -154,6 +154,36 @@ impl CurveSet {
         Ok(set)
     }
 
+    /// The same curves, those of these names read from their last point to their first, as strands of a duplex are where both are to run the same way.
+    ///
+    /// # Errors
+    /// [`SpecError`] at `reverse` for a name that is none of the curves'.
+    ///
+    /// ```
+    /// use nply_sheet::curves::{Closing, CurveSet, Curves};
+    /// let file = Curves::read("two.csv", b"chain,x,y,z\nA,0,0,0\nA,0,0,1\nB,2,0,1\nB,2,0,0\n", None)?;
+    /// let set = CurveSet::of(vec![("two.csv".into(), file)], None, Closing::AsWritten)?.reversed(&["B"])?;
+    /// assert_eq!(set.members[1].points, [[2.0, 0.0, 0.0], [2.0, 0.0, 1.0]]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reversed(mut self, names: &[&str]) -> Result<Self, SpecError> {
+        for (at, name) in names.iter().enumerate() {
+            let Some(member) = self.members.iter_mut().find(|member| member.name == *name) else {
+                const LISTED: usize = 8;
+                let listed: Vec<String> = self.members.iter().take(LISTED).map(|member| quoted(&member.name)).collect();
+                let more = if self.members.len() > LISTED { ", …" } else { "" };
+                let message = format!("{} is none of the curves, which are {}{more}", quoted(name), listed.join(", "));
+                return Err(SpecError::new(ErrorKind::UnknownKey, Place::Flag("reverse".to_owned()), message));
+            };
+            if names[..at].contains(name) {
+                continue;
+            }
+            member.points.reverse();
+            self.notes.push(format!("Curve {} is read from its last point to its first.", quoted(name)));
+        }
+        Ok(self)
+    }
+
     /// A length given by a flag, in the unit of the coordinates: a bare number is in it already.
     ///
     /// # Errors

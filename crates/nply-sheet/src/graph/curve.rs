@@ -9,7 +9,7 @@ use super::{Graph, Series};
 use crate::plot::sample::sampled;
 use crate::report::Column;
 
-/// States in their order along one curve: all pressing, or all separated.
+/// States in their order along one curve: all pressing, or all separated, or of a shape that knows neither.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GraphCurve {
@@ -19,7 +19,7 @@ pub struct GraphCurve {
     pub balance: Balance,
     /// Which way the ply winds.
     pub handedness: Handedness,
-    /// Whether neighbours would have to pull on each other (p₁ < 0).
+    /// Whether neighbours would have to pull on each other (p₁ < 0); false where nothing but the shape is asked.
     pub separated: bool,
     /// From one end to the other; two curves that part where p₁ vanishes share that point.
     pub points: Vec<GraphPoint>,
@@ -39,7 +39,7 @@ pub struct GraphPoint {
 const HALVINGS: u32 = 60;
 
 impl Graph {
-    /// Every state within the range, as curves: no two states are joined that do not hang together.
+    /// Every state within the range, or every one that touches, as curves: no two states are joined that do not hang together.
     #[must_use]
     pub fn curves(&self) -> Vec<GraphCurve> {
         let mut curves = Vec::new();
@@ -50,6 +50,7 @@ impl Graph {
                 }
             }
         }
+        curves.retain(|curve| !(self.touching && curve.separated));
         curves
     }
 
@@ -82,7 +83,7 @@ impl Graph {
         };
         for run in sampled(at, place, &parameters) {
             for piece in within(&run, &at, &inside) {
-                let parts = parted(&piece, &at);
+                let parts = if self.shape_alone { vec![(false, piece)] } else { parted(&piece, &at) };
                 curves.extend(parts.into_iter().map(|(separated, points)| GraphCurve {
                     strands: series.strands,
                     balance: series.balance,

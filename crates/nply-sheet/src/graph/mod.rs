@@ -11,7 +11,7 @@ use nply::Handedness;
 use nply::mechanics::{Balance, Ply};
 
 use crate::map::Axis;
-use crate::report::{Column, Known, Measure, Reading, data_of};
+use crate::report::{Column, Known, Measure, Reading, Section, data_of};
 use crate::spec::{Spec, Value};
 use crate::{Case, Datum, ErrorKind, Lay, Place, Quantity, Question, SpecError, Table};
 use course::Course;
@@ -33,6 +33,8 @@ pub struct GraphFlags {
     pub balances: Vec<Balance>,
     /// The hands; none for both.
     pub hands: Vec<Handedness>,
+    /// Whether states on which neighbours would have to pull are left out.
+    pub touching: bool,
     /// Which axes are logarithmic.
     pub scales: Scales,
 }
@@ -56,7 +58,10 @@ pub struct Graph {
     case: Case,
     series: Vec<Series>,
     hands: Vec<Handedness>,
+    touching: bool,
     abscissa: Abscissa,
+    /// Whether nothing but the shape is spoken of, so that what neighbours do has no meaning.
+    shape_alone: bool,
     /// What runs in the words and the unit of the range, where the theory has another datum for it.
     asked: Option<(String, Reading)>,
     against: Option<&'static Column>,
@@ -146,7 +151,14 @@ impl Spec {
             Abscissa::Datum(axis) => asked([&from, &to], axis),
             Abscissa::Lay { .. } => None,
         };
-        Ok(Graph { case, series, hands, abscissa, asked, against, ask, scales: flags.scales })
+        let of_shape = |column: &&Column| column.section == Section::Shape;
+        let mechanics =
+            |entry: &crate::spec::Entry| [Table::Twist, Table::Load, Table::Ends].contains(&entry.key.table);
+        let shape_alone = matches!(abscissa, Abscissa::Lay { .. })
+            && ask.iter().copied().chain(against).all(|column| of_shape(&column))
+            && !self.entries.iter().any(mechanics);
+        let (touching, scales) = (flags.touching, flags.scales);
+        Ok(Graph { case, series, hands, touching, shape_alone, abscissa, asked, against, ask, scales })
     }
 }
 

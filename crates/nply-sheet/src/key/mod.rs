@@ -115,7 +115,7 @@ pub enum Kind {
     ForcePerLength,
     /// Mass per volume; bare where lengths are.
     Density,
-    /// Young's modulus of a layer or core; bare where lengths are.
+    /// Young's modulus, or strength, of a layer or core; bare where lengths are.
     Modulus,
 }
 
@@ -140,7 +140,7 @@ impl Kind {
             Self::TurnsPerLength => "turns per length, such as \"200 turns/m\"",
             Self::Twist => "an angle per length, such as \"200 turns/m\" or \"3 rad/mm\"",
             Self::Force => "a force, such as \"1.2 kN\"",
-            Self::Moment => "a moment, such as \"4.1 pN nm\"",
+            Self::Moment => "a moment, such as \"12 N m\" or \"4.1 pN nm\"",
             Self::ForcePerLength => "a force per length, such as \"5 N/mm\"",
             Self::Density => "a density, such as \"7.85 g/cm^3\"",
         }
@@ -287,6 +287,8 @@ pub enum Datum {
     StrandCoreMaterial,
     StrandCoreYoungsModulus,
     StrandCorePoissonsRatio,
+    StrandCoreTensileStrength,
+    StrandCoreFibre,
     LayerWires,
     LayerWireDiameter,
     LayerLayLength,
@@ -298,6 +300,7 @@ pub enum Datum {
     LayerMaterial,
     LayerYoungsModulus,
     LayerPoissonsRatio,
+    LayerTensileStrength,
     LayerPreforming,
     LayerPretwist,
     CableForce,

@@ -76,7 +76,7 @@ impl MapPicture {
         let locus = self.locus(map);
         let with_locus = |field: Field| locus.iter().fold(field, |field, curve| field.with_curve(curve.clone()));
         let columns = self.columns;
-        Picture::row([
+        let panels = [
             with_locus(Field::of_categories("Number of states", x.clone(), y.clone(), columns, &self.counts, names)),
             with_locus(Field::of_categories("What can be had", x.clone(), y.clone(), columns, &self.verdicts, seen)),
             Field::of_signed_values(
@@ -88,8 +88,9 @@ impl MapPicture {
                 Axis::new("helical angle, left-handed below 0", "deg"),
             ),
             Field::of_values(format!("Pressure {of}"), x, y, columns, &pressures, Axis::new("p", pressure.unit)),
-        ])
-        .svg()
+        ];
+        // two and two: four in a row could not be read on a page
+        Picture::grid(panels, 2).svg()
     }
 
     /// p = 0 for both hands, where the map is of force and moment.

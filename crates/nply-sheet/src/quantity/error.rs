@@ -21,6 +21,12 @@ pub enum QuantityError {
         /// What was read, quoted.
         read: String,
     },
+    /// Several numbers.
+    #[error("{read} is a list, and one number is wanted")]
+    List {
+        /// What was read, quoted.
+        read: String,
+    },
     /// NaN or infinity.
     #[error("{read} is not a finite number; no ply has it")]
     NotFinite {
@@ -49,6 +55,18 @@ pub enum QuantityError {
         /// What is wrong and what to write.
         reason: &'static str,
     },
+    /// A count of a ply in place of that of one strand.
+    #[error(
+        "{read} is a folded count, that of a ply: give the count of one strand, \"{single}\", and {strands} strands"
+    )]
+    Folded {
+        /// What was read, quoted.
+        read: String,
+        /// The count of one strand.
+        single: String,
+        /// How many there are.
+        strands: u32,
+    },
     /// A quantity of another kind than wanted.
     #[error("{read} is {found}; what is wanted is {wanted}{}", advice(*found))]
     WrongDimension {
@@ -73,7 +91,7 @@ fn instead(nearest: Option<&'static str>) -> String {
 fn advice(found: Dimension) -> &'static str {
     match found {
         Dimension::LINEAR_DENSITY => "; a titre is given as `linear_density`, with the `density` of the fibre",
-        Dimension::MASS => "; for a weight write kgf or lbf",
+        Dimension::MASS => "; for a weight write kgf, tf or lbf",
         Dimension::PER_LENGTH => "; write rad/m or turns/m for a twist",
         _ => "",
     }

@@ -108,8 +108,18 @@ impl Quantity {
             });
         };
         let after = decimal.rest.trim_start();
-        if after.starts_with(',') {
-            return Err(QuantityError::Comma { read: quoted() });
+        // one comma between digits may be a decimal one; any other parts two numbers
+        let listed = |rest: &str| {
+            let number = |part: &str| Decimal::read(part.trim()).is_some();
+            rest.split_once(',').is_some_and(|(_, next)| next.starts_with(' ') || next.contains(',') || number(next))
+        };
+        match after.strip_prefix(',') {
+            Some(rest) if rest.starts_with(' ') || rest.contains(',') => {
+                return Err(QuantityError::List { read: quoted() });
+            }
+            Some(_) => return Err(QuantityError::Comma { read: quoted() }),
+            None if listed(after) => return Err(QuantityError::List { read: quoted() }),
+            None => {}
         }
         let in_range = |value: f64| value.is_finite() && (value != 0.0 || decimal.is_zero());
         if after.is_empty() {
@@ -136,7 +146,7 @@ impl Quantity {
     /// per pound) and `Nm 40` or `40 Nm` (km per kg), in tex then.
     ///
     /// # Errors
-    /// [`QuantityError`] as of [`Quantity::parse`]; a folded count such as `30/2` is refused.
+    /// [`QuantityError`] as of [`Quantity::parse`]; a folded count such as `30/2` is refused, but for `30/1`, which is the single's.
     ///
     /// ```
     /// use nply_sheet::Quantity;
@@ -154,17 +164,25 @@ impl Quantity {
             let behind = || read.strip_suffix(name).filter(|rest| rest.ends_with(|c: char| !c.is_alphabetic()));
             Some((before.or_else(behind)?.trim(), of_one))
         });
-        // 30/2, with or without the name of its count
-        let whole = |part: &str| part.trim().parse::<u32>().is_ok();
-        let folded = |text: &str| text.split_once('/').is_some_and(|(count, fold)| whole(count) && whole(fold));
-        if count.is_some_and(|(count, _)| count.contains('/')) || folded(read) {
-            return Err(QuantityError::BadUnit {
-                unit: crate::quoted(read),
-                reason: "a folded count is that of a ply; give the count of one strand, as in \"Ne 30\"",
-            });
-        }
+        // 30/2, with or without the name of its count; the metric count has the fold before it, 2/28. Of one, it is the single's
+        let name = ["NeC", "Ne", "Nm"].into_iter().find(|name| count.is_some() && read.contains(name));
+        let parts = count.map_or(read, |(count, _)| count).split_once('/');
+        let count = match parts.map(|(a, b)| (a.trim().parse::<u32>(), b.trim().parse::<u32>())) {
+            Some((Ok(first), Ok(second))) => {
+                let (number, fold) =
+                    if name == Some("Nm") && first < second { (second, first) } else { (first, second) };
+                match (count, fold) {
+                    (Some((_, of_one)), 1) => Some((number.to_string(), of_one)),
+                    (_, strands) => {
+                        let single = format!("{} {number}", name.unwrap_or("Ne"));
+                        return Err(QuantityError::Folded { read: crate::quoted(read), single, strands });
+                    }
+                }
+            }
+            _ => count.map(|(count, of_one)| (count.to_owned(), of_one)),
+        };
         let Some((count, of_one)) = count else { return Self::parse(text) };
-        let Self::Bare(number) = Self::parse(count)? else {
+        let Self::Bare(number) = Self::parse(&count)? else {
             return Err(QuantityError::NotANumber { read: crate::quoted(read) });
         };
         let si = of_one / number;
@@ -242,6 +260,10 @@ mod tests {
             ("0.25 rev", FRAC_PI_2),
             ("200 turns/m", 200.0 * TAU),
             ("200 tpm", 200.0 * TAU),
+            ("205000 N/mm2", 205e9),
+            ("2 t", 2e3),
+            ("90 %", 0.9),
+            ("90%", 0.9),
             ("\u{2212}5 mm", -5e-3),
             (".5 mm", 5e-4),
             ("5. mm", 5e-3),
@@ -272,6 +294,10 @@ mod tests {
             ("-inf N", "not a finite number"),
             ("0,5 mm", "decimal point"),
             ("12 000 N", "is wanted here"),
+            ("1,5,2 mm", "is a list"),
+            ("6, 12", "is a list"),
+            ("60 mm,34 mm", "is a list"),
+            ("3 bp", "0.34 nm"),
             ("1.2.3 mm", "is wanted here"),
             ("5 kTB", "no unit known"),
             ("1e999 m", "too large or too small"),

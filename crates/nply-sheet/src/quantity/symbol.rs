@@ -101,7 +101,7 @@ impl Symbol {
 const LBF: f64 = 44_482_216_152_605.0; // ·10⁻¹³ N, exact by definition
 const KGF: f64 = 980_665.0; // ·10⁻⁵ N, exact by definition
 
-static SYMBOLS: [Symbol; 35] = [
+static SYMBOLS: [Symbol; 37] = [
     symbol(&["m", "metre", "metres", "meter", "meters"], 1.0, 0, Dimension::LENGTH).prefixed(),
     symbol(&["Å", "\u{212b}", "angstrom", "angstroms", "Angstrom"], 1.0, -10, Dimension::LENGTH),
     symbol(&["micron", "microns"], 1.0, -6, Dimension::LENGTH),
@@ -135,9 +135,11 @@ static SYMBOLS: [Symbol; 35] = [
     symbol(&["degF", "°F", "\u{2109}"], 5.0, 0, Dimension::TEMPERATURE).over(9.0).starting_at(459.67),
     symbol(&["s"], 1.0, 0, Dimension::TIME).prefixed(),
     symbol(&["g"], 1.0, -3, Dimension::MASS).prefixed(),
+    symbol(&["t", "tonne", "tonnes"], 1.0, 3, Dimension::MASS),
     symbol(&["lb", "lbs"], 45_359_237.0, -8, Dimension::MASS),
     symbol(&["tex"], 1.0, -6, Dimension::LINEAR_DENSITY).prefixed(),
     symbol(&["den", "denier"], 1.0, -6, Dimension::LINEAR_DENSITY).over(9.0),
+    symbol(&["%"], 1.0, -2, Dimension::NUMBER),
 ];
 
 const PREFIXES: [(&str, i32); 15] = [
@@ -160,6 +162,21 @@ const PREFIXES: [(&str, i32); 15] = [
 
 /// Written often enough to be proposed in place of a slip.
 const COMMON: [&str; 14] = ["nm", "µm", "um", "mm", "cm", "km", "pN", "nN", "mN", "cN", "kN", "kPa", "MPa", "GPa"];
+
+/// What some people write for units that have another name here.
+const OTHERWISE: [(&[&str], &str); 3] = [(&["A", "Ang", "ang", "Angs"], "Å"), (&["C"], "°C"), (&["F"], "°F")];
+
+/// Why a word that stands where a unit does is none, and what to write.
+pub(super) fn no_unit(word: &str) -> Option<&'static str> {
+    match word {
+        "bp" | "kbp" | "kb" | "Mbp" | "nt" => {
+            Some("a base pair is no unit of length here; write the length, which for B-DNA is about 0.34 nm for each")
+        }
+        "AWG" | "SWG" | "BWG" => Some("a gauge is no unit; write the diameter in mm or in"),
+        "d" | "D" | "xd" | "xD" => Some("a lay in diameters is a pure number, `lay_ratio`"),
+        _ => None,
+    }
+}
 
 /// A symbol of the table with its prefix's power of ten.
 pub(super) fn look_up(word: &str) -> Option<(Factor, Dimension, f64)> {
@@ -189,6 +206,9 @@ pub(super) fn look_up_joined(word: &str) -> Option<[(Factor, Dimension); 2]> {
 /// The unit most likely meant by `word`.
 pub(super) fn nearest(word: &str) -> Option<&'static str> {
     let known = || COMMON.iter().copied().chain(SYMBOLS.iter().flat_map(|symbol| symbol.names.iter().copied()));
+    if let Some((_, name)) = OTHERWISE.iter().find(|(words, _)| words.contains(&word)) {
+        return Some(name);
+    }
     let lower = word.to_lowercase();
     known().find(|name| name.to_lowercase() == lower).or_else(|| {
         if word.chars().count() < 2 {

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::double::Double;
-use super::symbol::{Factor, look_up, look_up_joined, nearest, times_ten_to};
+use super::symbol::{Factor, look_up, look_up_joined, nearest, no_unit, times_ten_to};
 use super::{Dimension, QuantityError};
 
 /// A unit expression, read: its text, its dimension and its size in SI (m, N, s, rad, K).
@@ -59,17 +59,20 @@ impl<'t> Reader<'t> {
     }
 
     fn word(&mut self) -> &'t str {
-        let end = self.rest.find(|c: char| !(c.is_alphabetic() || c == '°' || c == '\u{2103}' || c == '\u{2109}'));
+        let end = self
+            .rest
+            .find(|c: char| !(c.is_alphabetic() || c == '°' || c == '%' || c == '\u{2103}' || c == '\u{2109}'));
         let (word, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
         self.rest = rest;
         word
     }
 
-    /// `^2`, `^-1`, `²`, `⁻¹`, or nothing, which is 1.
+    /// `^2`, `^-1`, `2`, `²`, `⁻¹`, or nothing, which is 1.
     fn power(&mut self) -> Result<i16, QuantityError> {
         const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let digits: String;
-        if self.take(&['^']) {
+        // `mm2` is `mm^2`: no unit's name has a digit
+        if self.take(&['^']) || self.rest.starts_with(|c: char| c.is_ascii_digit()) {
             let sign = if self.take(&['-', '\u{2212}']) { "-" } else { "" };
             let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
             let (number, rest) = self.rest.split_at(end);
@@ -88,9 +91,6 @@ impl<'t> Reader<'t> {
                 self.rest = self.rest.get(c.len_utf8()..).unwrap_or("");
             }
             if read.is_empty() {
-                if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
-                    return Err(self.refuse("write a power with `^`, as in \"mm^2\""));
-                }
                 return Ok(1);
             }
             digits = read;
@@ -103,7 +103,7 @@ impl<'t> Reader<'t> {
 }
 
 impl Unit {
-    /// Reads a unit expression: symbols with SI prefixes where usual; products by blank, `*` or `·`; powers as `^2`, `²`,
+    /// Reads a unit expression: symbols with SI prefixes where usual; products by blank, `*` or `·`; powers as `^2`, `2`, `²`,
     /// `^-1` or `⁻¹`; any number of `/`, each dividing by the one unit after it.
     ///
     /// # Errors
@@ -136,7 +136,15 @@ impl Unit {
             reader.skip_blanks();
             let word = reader.word();
             if word.is_empty() {
-                return Err(reader.refuse("a unit such as `mm` is wanted here"));
+                let number = divides && reader.rest.starts_with(|c: char| c.is_ascii_digit());
+                return Err(reader.refuse(if number {
+                    "behind `/` stands a unit without a number: 5 turns/(100 m) are written \"0.05 turns/m\""
+                } else {
+                    "a unit such as `mm` is wanted here"
+                }));
+            }
+            if let Some(reason) = no_unit(word) {
+                return Err(reader.refuse(reason));
             }
             let single = look_up(word);
             let joined = if single.is_none() { look_up_joined(word) } else { None };
@@ -213,6 +221,14 @@ impl Unit {
         self.dimension = self.dimension.times(dimension, power)?;
         self.factor = self.factor.times(factor, power);
         (self.factor.numerator.is_finite() && self.factor.denominator.is_finite()).then_some(())
+    }
+
+    /// Whether it is a power of ten of the SI unit: mm and kN are, inch and lbf are not.
+    pub(crate) fn is_decimal(&self) -> bool {
+        let Factor { numerator, denominator, turns, .. } = self.factor;
+        #[allow(clippy::float_cmp, reason = "whole numbers")]
+        let one = numerator == 1.0 && denominator == 1.0;
+        one && turns == 0
     }
 
     /// What kind of thing it measures.
@@ -304,9 +320,10 @@ mod tests {
 
     #[test]
     fn products_quotients_and_powers() {
-        for text in
-            ["pN nm^2", "pN*nm^2", "pN·nm²", "pN nm nm", "N m^2", "nm² pN", "N m³/m", "Pa m^4", "MPa mm^4", "N/m^-2"]
-        {
+        for text in [
+            "pN nm^2", "pN*nm^2", "pN·nm²", "pN nm nm", "N m^2", "nm² pN", "N m³/m", "Pa m^4", "MPa mm4", "N/m^-2",
+            "Nm2",
+        ] {
             assert_eq!(dimension(text), Dimension::STIFFNESS, "{text}");
         }
         for text in ["turns/m", "turn m^-1", "turns·m⁻¹", "rad/mm", "deg/inch", "tpi", "tpm", "rev/ft"] {
@@ -316,6 +333,9 @@ mod tests {
             assert_eq!(dimension(text), Dimension::MOMENT, "{text}");
         }
         assert_eq!(dimension("N/m/m"), Dimension::PRESSURE);
+        assert_eq!(dimension("N/mm2"), Dimension::PRESSURE);
+        assert_eq!(dimension("t/m3"), Dimension::DENSITY);
+        assert_eq!(dimension("%"), Dimension::NUMBER);
         assert_eq!(dimension("1/m"), Dimension::PER_LENGTH);
         assert_eq!(dimension("/m"), Dimension::PER_LENGTH);
         assert_eq!(dimension("kg m/s/s"), Dimension::FORCE);
@@ -326,7 +346,11 @@ mod tests {
     fn what_has_no_clear_meaning_is_refused() {
         for (text, part) in [
             ("N/m s", "two ways"),
-            ("mm2", "with `^`"),
+            ("mm0", "whole number"),
+            ("turns/100m", "0.05 turns/m"),
+            ("bp", "0.34 nm"),
+            ("AWG", "diameter"),
+            ("d", "`lay_ratio`"),
             ("mm^", "whole number"),
             ("mm^0", "whole number"),
             ("mm^99", "whole number"),
@@ -347,9 +371,18 @@ mod tests {
 
     #[test]
     fn a_slip_is_answered_with_the_nearest_unit() {
-        for (text, meant) in
-            [("Mpa", "MPa"), ("NM", "nm"), ("mmm", "mm"), ("trns", "turns"), ("inchs", "inch"), ("kgff", "kgf")]
-        {
+        for (text, meant) in [
+            ("A", "Å"),
+            ("Ang", "Å"),
+            ("C", "°C"),
+            ("F", "°F"),
+            ("Mpa", "MPa"),
+            ("NM", "nm"),
+            ("mmm", "mm"),
+            ("trns", "turns"),
+            ("inchs", "inch"),
+            ("kgff", "kgf"),
+        ] {
             let Err(QuantityError::UnknownUnit { nearest, .. }) = Unit::parse(text) else { panic!("{text}") };
             assert_eq!(nearest, Some(meant), "{text}");
         }

@@ -7,8 +7,8 @@ use super::chi::chance_of_greater;
 use super::descent::{Bottom, Ground};
 use super::error::lines;
 use super::problem::Regression;
-use super::row::{Row, Settled, stacked};
-use super::{Observable, Parameter, RegressionError};
+use super::row::{Row, Settled, is_limit};
+use super::{Observable, Parameter, RegressionError, doubt};
 use crate::preferred::six_digits;
 
 /// A parameter as the data have it: SI, or the theory's units where the strand has no size; twists in rad.
@@ -20,8 +20,12 @@ pub struct Estimate {
     pub value: f64,
     /// One standard error; `None` where the data do not determine it, or leave nothing to tell errors from.
     pub standard_error: Option<f64>,
-    /// Where the search began.
+    /// Where the search began; with [`known_to`](Self::known_to), what it is known to be.
     pub start: f64,
+    /// Whether the data determine it, alone and not only together with another; if not, its value is one of many.
+    pub determined: bool,
+    /// One standard error to which the start is known beforehand, where it counts as a measurement.
+    pub known_to: Option<f64>,
 }
 
 /// A measured number beside what the fitted state has.
@@ -35,6 +39,14 @@ pub struct Compared {
     pub fitted: f64,
     /// One standard error of the measured number: as given, or from the residuals of all; `None` where nothing tells.
     pub error: Option<f64>,
+}
+
+impl FittedRow {
+    /// Whether what was measured is nearest to straight strands or to flat rings: limits, and no states. `true`: flat rings.
+    #[must_use]
+    pub fn limit(&self) -> Option<bool> {
+        (self.moved && is_limit(self.helical_angle)).then_some(self.helical_angle > 1.0)
+    }
 }
 
 impl Compared {
@@ -66,6 +78,8 @@ pub struct FittedRow {
     pub moment: f64,
     /// p₁ r³/B; negative where touching neighbours would have to pull.
     pub interstrand_pressure: f64,
+    /// Whether measured numbers moved the state; else what is held fixes it.
+    pub moved: bool,
     /// States in equilibrium that were looked at.
     pub states: usize,
     /// By how much the sum of squared residuals would be greater at the second nearest state.
@@ -98,6 +112,13 @@ pub struct Regressed {
 /// Below this share of the best determined direction nothing is determined.
 const UNDETERMINED: f64 = 1e-8;
 
+/// Which steps change no residual by more than rounding does: by a ten millionth of an error at a whole step, or of what another step does.
+fn without_effect(slopes: &DMatrix<f64>) -> Vec<bool> {
+    let norms: Vec<f64> = slopes.column_iter().map(|column| column.norm()).collect();
+    let most = norms.iter().fold(1.0_f64, |most, norm| most.max(*norm));
+    norms.iter().map(|norm| *norm <= UNDETERMINED * most).collect()
+}
+
 /// How the data determine the parameters: covariance as far as there is one, and directions that change nothing.
 struct Spread {
     /// of the steps x
@@ -109,10 +130,11 @@ struct Spread {
 impl Spread {
     fn of(slopes: &DMatrix<f64>) -> Self {
         let count = slopes.ncols();
+        let idle = without_effect(slopes);
         let norms: Vec<f64> = slopes.column_iter().map(|column| column.norm()).collect();
-        let norm = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
+        let norm = |k: usize| if idle[k] { 1.0 } else { norms[k] };
         let scaled = DMatrix::from_fn(slopes.nrows().max(count), count, |i, k| {
-            if i < slopes.nrows() { slopes[(i, k)] / norm(k) } else { 0.0 }
+            if i < slopes.nrows() && !idle[k] { slopes[(i, k)] / norm(k) } else { 0.0 }
         });
         let parts = scaled.svd(false, true);
         let across = parts.v_t.unwrap_or_else(|| DMatrix::identity(count, count));
@@ -146,11 +168,17 @@ impl Spread {
 pub(super) fn of(
     regression: &Regression,
     ground: &Ground<'_>,
-    best: Bottom,
+    mut best: Bottom,
     others: &[Bottom],
 ) -> Result<Regressed, RegressionError> {
-    let slopes = stacked(&best.settled, ground.free, ground.sizes);
+    let slopes = ground.slopes(&best.slots, &best.settled);
     let spread = Spread::of(&slopes);
+    // what changes no residual has wandered freely: it stays where it was
+    for (idle, slot) in without_effect(&slopes).into_iter().zip(ground.free) {
+        if idle {
+            best.slots[*slot] = regression.model.slots()[*slot];
+        }
+    }
     let spent: usize = best.settled.iter().map(|row| row.spent).sum();
     let known = slopes.nrows() - spent;
     let asked = &regression.asked;
@@ -164,10 +192,11 @@ pub(super) fn of(
         (false, 0) => None,
         (false, freedom) => Some(best.chi_squared / freedom as f64),
     };
-    let deviation = |k: usize| {
-        let own = spread.covariance[(k, k)] * scale?;
-        spread.determines(k).then(|| libm::sqrt(own))
-    };
+    // a number that may as well be a hundred e-folds greater or less is none
+    const MOST: f64 = 100.0;
+    let spread_of = |k: usize| Some(libm::sqrt(spread.covariance[(k, k)] * scale?));
+    let determined = |k: usize| spread.determines(k) && spread_of(k).is_none_or(|own| own < MOST);
+    let deviation = |k: usize| spread_of(k).filter(|_| determined(k));
     let model = &regression.model;
     let value = |k: usize| model.value_at(&best.slots, asked[k]).unwrap_or(f64::NAN);
     // an error of a logarithm is a share of the value; one of the twist, in steps of the size of its slot
@@ -178,6 +207,8 @@ pub(super) fn of(
             value: value(k),
             standard_error: error(k),
             start: model.value(asked[k]).unwrap_or(f64::NAN),
+            determined: determined(k),
+            known_to: regression.known.iter().find(|known| known.parameter == asked[k]).map(|known| known.error),
         })
         .collect();
     let correlation = (0..asked.len())
@@ -209,6 +240,7 @@ pub(super) fn of(
         rows,
         notes: Vec::new(),
     };
+    doubt::of_reach(regression, ground, &best, &answer)?;
     answer.notes = notes(regression, ground, &best, others, &spread, &answer);
     Ok(answer)
 }
@@ -230,6 +262,7 @@ fn fitted(ground: &Ground<'_>, best: &Bottom, row: &Row, settled: &Settled, scal
         force: Observable::Force.of(readings).value,
         moment: Observable::Moment.of(readings).value,
         interstrand_pressure: readings.pressure,
+        moved: row.held.len() < 2,
         states: candidates.len().max(1),
         next_state: candidates.get(1).map(|next| {
             let more = next.chi_squared() - settled.chi_squared();
@@ -247,7 +280,7 @@ fn notes(
     spread: &Spread,
     answer: &Regressed,
 ) -> Vec<String> {
-    let mut notes = Vec::new();
+    let mut notes = Vec::from_iter(doubt::of_left_out(regression));
     if !best.converged {
         notes.push("The search did not come to an end within its steps: the estimates are the best it found. Start nearer to them.".to_owned());
     }
@@ -257,18 +290,31 @@ fn notes(
         notes.extend(elsewhere(regression, ground, best, others, spread));
     }
     for estimate in &answer.estimates {
+        if !estimate.determined && spread.idle.is_empty() {
+            notes.push(format!(
+                "{} is not determined: values many times as great or as small fit as well.",
+                estimate.parameter.name()
+            ));
+        }
         if let Some(error) = estimate.standard_error
             && estimate.parameter.is_positive()
             && error > 0.5 * estimate.value
         {
             notes.push(format!(
-                "{} is hardly determined: its standard error is {:.0} % of it, so large that the estimate says little more than its order.",
+                "{} is hardly determined: its standard error is {} of it, so large that the estimate says little more than its order.",
                 estimate.parameter.name(),
-                100.0 * error / estimate.value
+                super::report::percent(error / estimate.value)
             ));
         }
     }
-    notes.extend(of_chi(answer));
+    match doubt::of_outlier(regression, ground, best, answer) {
+        Some((said, rest_fits)) => {
+            notes.push(said);
+            notes.extend(of_chi(answer).filter(|_| !rest_fits));
+        }
+        None => notes.extend(of_chi(answer)),
+    }
+    notes.extend(doubt::of_limits(answer));
     notes.extend(of_states(answer));
     notes
 }
@@ -358,7 +404,7 @@ fn undetermined(
     said
 }
 
-fn round3(value: f64) -> f64 {
+pub(super) fn round3(value: f64) -> f64 {
     libm::round(value * 1e3) / 1e3
 }
 
@@ -407,19 +453,21 @@ fn elsewhere(
     };
     let other =
         others.iter().filter(|other| other.converged && other.chi_squared < lowest.chi_squared + near).find(apart)?;
-    let there: Vec<String> = regression
-        .asked
-        .iter()
-        .filter_map(|parameter| {
-            Some(format!("{} = {}", parameter.name(), six_digits(regression.model.value_at(&other.slots, *parameter)?)))
-        })
-        .collect();
     Some(format!(
-        "Another minimum is not excluded by these measurements: {} (SI, twists in rad), with χ² greater by {} only. A start nearer to what you \
-         know decides.",
-        there.join(", "),
+        "Another minimum is not excluded by these measurements: {}, with χ² greater by {} only. A start nearer to what you know decides.",
+        values(regression, other),
         six_digits(other.chi_squared - lowest.chi_squared)
     ))
+}
+
+/// What is asked for, as it is at a place.
+pub(super) fn values(regression: &Regression, at: &Bottom) -> String {
+    let value = |parameter: &Parameter| {
+        Some(format!("{} = {}", parameter.name(), six_digits(regression.model.value_at(&at.slots, *parameter)?)))
+    };
+    let values: Vec<String> = regression.asked.iter().filter_map(value).collect();
+    let bare = regression.asked.iter().all(|parameter| parameter.dimension() == crate::Dimension::NUMBER);
+    values.join(", ") + if bare { "" } else { " (SI, twists in rad)" }
 }
 
 fn of_chi(answer: &Regressed) -> Option<String> {

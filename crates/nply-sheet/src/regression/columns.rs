@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::error::observables;
 use super::{DataColumn, Given, Observable, Parameter, Role};
 use crate::key::nearest;
-use crate::{Dimension, ErrorKind, Place, Quantity, SpecError, Unit, quoted};
+use crate::spec::hand;
+use crate::{Dimension, ErrorKind, Place, Quantity, QuantityError, SpecError, Unit, quoted};
 
 /// A file of measurements, read: columns of numbers in SI with the line of each row.
 ///
@@ -50,7 +51,8 @@ const MOST_ROWS: usize = 1_000_000;
 
 impl Measurements {
     /// Reads text with a header, separated by commas, semicolons or tabs; lines that begin with `#` are remarks. A cell that is empty, or
-    /// `NA`, is a number that is not known.
+    /// `NA`, is a number that is not known. Where commas part no cells they are read as decimal points; S and Z stand in place of the sign
+    /// of turns and twists.
     ///
     /// # Errors
     /// [`SpecError`] with line and column: a name that is not known, a unit of another kind, a cell that is no number.
@@ -64,7 +66,7 @@ impl Measurements {
                 return Err(SpecError::new(ErrorKind::Syntax, place, "this is not text in UTF-8"));
             }
         };
-        let mut reader = Reader { name: &name, text: &text };
+        let mut reader = Reader { name: &name, text: &text, commas: false };
         let (columns, lines) = reader.read()?;
         Ok(Self { columns, lines, name: Arc::clone(&name), text })
     }
@@ -301,6 +303,8 @@ fn example(dimension: Dimension) -> &'static str {
 struct Reader<'t> {
     name: &'t Arc<str>,
     text: &'t str,
+    /// whether a comma in a cell is that of a decimal: it parts no cells
+    commas: bool,
 }
 
 /// A cell with where it stands.
@@ -332,6 +336,7 @@ impl<'t> Reader<'t> {
             }
             let Some((separator, heads)) = &heads else {
                 let separator = [';', '\t'].into_iter().find(|c| content.contains(*c)).unwrap_or(',');
+                self.commas = separator != ',';
                 let read = self.heads(&split(content, separator, start))?;
                 cells = vec![Vec::new(); read.len()];
                 bare = vec![false; read.len()];
@@ -445,14 +450,24 @@ impl<'t> Reader<'t> {
         };
         let joined = stem.to_lowercase().replace([' ', '-'], "_");
         let twists = [Parameter::Pretwist, Parameter::TurnsPerLength, Parameter::StrandTwist].map(Given::Twist);
-        let names: Vec<Given> = Observable::ALL.map(Given::State).into_iter().chain(twists).collect();
+        let own = Observable::ALL.map(Given::State).into_iter().chain(twists).map(|given| (given.name(), given));
+        // as reports call them
+        let reported = [
+            ("extension", Given::State(Observable::LengthRatio)),
+            ("turns_per_ply_length", Given::State(Observable::PlyTurnsPerLength)),
+        ];
+        let names: Vec<(&str, Given)> = own.chain(reported).collect();
         // the longest name that begins it
-        let begins = |given: &&Given| {
-            joined.strip_prefix(given.name()).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+        let begins = |(name, _): &&(&str, Given)| {
+            joined.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
         };
-        let Some(given) = names.iter().filter(begins).max_by_key(|given| given.name().len()).copied() else {
-            let help =
-                nearest(&joined, names.iter().map(|given| given.name())).map(|name| format!("did you mean `{name}`?"));
+        let Some((name, given)) = names.iter().filter(begins).max_by_key(|(name, _)| name.len()).copied() else {
+            let help = match joined.as_str() {
+                "turns" => Some("the twist put in stands in turns_per_length, turns over the strand length; turns of the ply in ply_turns".to_owned()),
+                "end_rotation" | "surface_angle" => Some("the twist put in stands in turns_per_length or pretwist".to_owned()),
+                "retraction" | "retraction_percent" => Some("write length_ratio, 1 less the retraction".to_owned()),
+                _ => nearest(&joined, names.iter().map(|(name, _)| *name)).map(|name| format!("did you mean `{name}`?")),
+            };
             let message = format!(
                 "{} is no column known here; those are {}, each with its errors as `…_error`, the twists pretwist, turns_per_length and \
                  strand_twist, and `note`",
@@ -461,7 +476,7 @@ impl<'t> Reader<'t> {
             );
             return Err(SpecError::new(ErrorKind::UnknownKey, place, message).with_help(help));
         };
-        let rest = stem.get(given.name().len()..).unwrap_or("").trim_start_matches(['_', ' ', '-']);
+        let rest = stem.get(name.len()..).unwrap_or("").trim_start_matches(['_', ' ', '-']);
         let tails = ["error", "errors", "sigma", "std", "uncertainty"];
         let lower = rest.to_lowercase();
         // `force_error`, `force_error_N` and `force_N_error`
@@ -502,17 +517,18 @@ impl<'t> Reader<'t> {
             return Ok(f64::NAN);
         }
         let name = head.given.name();
-        let quantity =
-            Quantity::parse(cell.text).map_err(|why| self.error(ErrorKind::Syntax, cell, format!("{name}: {why}")))?;
-        match &quantity {
-            Quantity::Bare(value) => {
-                match &head.unit {
-                    // a decimal is read once, with its unit
-                    Some(unit) => Ok(Quantity::parse(&format!("{} {unit}", cell.text))
-                        .map_or_else(|_| unit.to_si(*value), |q| q.si())),
-                    None => Ok(value * of_bare(head.given)),
-                }
-            }
+        let point = if self.commas { cell.text.replacen(',', ".", 1) } else { cell.text.to_owned() };
+        let (text, letter) = if has_letter(head) { hand::split(&point) } else { (&*point, None) };
+        let refuse = |why: String| self.error(ErrorKind::Syntax, cell, format!("{name}: {why}"));
+        // a decimal is read once, with its unit
+        let quantity = match (Quantity::parse(text), &head.unit) {
+            (Ok(Quantity::Bare(value)), Some(unit)) => Quantity::parse(&format!("{text} {unit}"))
+                .or_else(|_| Ok(Quantity::Measured { si: unit.to_si(value), unit: unit.clone() })),
+            (read, _) => read,
+        };
+        let quantity = quantity.map_err(|why: QuantityError| refuse(why.to_string()))?;
+        match hand::signed(quantity, text, letter).map_err(refuse)? {
+            Quantity::Bare(value) => Ok(value * of_bare(head.given)),
             Quantity::Measured { si, unit: own } => {
                 if own.dimension() != dimension(head.given) {
                     let message = format!(
@@ -523,11 +539,20 @@ impl<'t> Reader<'t> {
                     );
                     return Err(self.error(ErrorKind::WrongUnit, cell, message));
                 }
-                unit.get_or_insert_with(|| own.clone());
-                Ok(*si)
+                unit.get_or_insert(own);
+                Ok(si)
             }
         }
     }
+}
+
+/// Whether S and Z say which way a column's turns go.
+fn has_letter(head: &Head) -> bool {
+    !head.error
+        && match head.given {
+            Given::State(observable) => observable.is_signed(),
+            Given::Twist(_) => true,
+        }
 }
 
 /// `N_mm` and `turns_per_m` as units.

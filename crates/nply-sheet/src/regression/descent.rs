@@ -4,9 +4,32 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, storage::Owned};
 use nply::mechanics::Ply;
 
+use super::Parameter;
 use super::row::{Row, Settled, stacked};
 use super::sensed::SLOTS;
 use super::state::{Model, Spot};
+
+/// A number of the strands that is sought, and known beforehand with an error: one more measurement, of itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Known {
+    pub(super) parameter: Parameter,
+    pub(super) value: f64,
+    /// one standard error
+    pub(super) error: f64,
+}
+
+impl Known {
+    /// Sought less known, in errors.
+    fn residual(&self, model: &Model, slots: &[f64; SLOTS]) -> f64 {
+        model.value_at(slots, self.parameter).map_or(f64::NAN, |value| (value - self.value) / self.error)
+    }
+
+    /// Its slope with the slot it is sought by, which holds the logarithm of what is positive.
+    fn slope(&self, model: &Model, slots: &[f64; SLOTS]) -> f64 {
+        let by_slot = if self.parameter.is_positive() { model.value_at(slots, self.parameter) } else { Some(1.0) };
+        by_slot.unwrap_or(f64::NAN) / self.error
+    }
+}
 
 /// What a walk goes over.
 #[derive(Clone, Copy)]
@@ -14,6 +37,8 @@ pub(super) struct Ground<'a> {
     pub(super) model: &'a Model,
     pub(super) charted: &'a Ply,
     pub(super) rows: &'a [Row],
+    /// what is known beforehand of what is sought
+    pub(super) known: &'a [Known],
     /// which slots are sought
     pub(super) free: &'a [usize],
     /// the size of one step in each
@@ -43,11 +68,27 @@ struct Walk<'a> {
     count: usize,
 }
 
-fn sum(settled: &[Settled]) -> f64 {
-    settled.iter().map(Settled::chi_squared).sum()
-}
-
 impl Ground<'_> {
+    /// The sum of squares, of the rows and of what is known beforehand.
+    fn sum(&self, slots: &[f64; SLOTS], settled: &[Settled]) -> f64 {
+        let of_known = self.known.iter().map(|known| known.residual(self.model, slots));
+        settled.iter().map(Settled::chi_squared).sum::<f64>() + of_known.map(|r| r * r).sum::<f64>()
+    }
+
+    /// The slopes of all residuals with what is sought, those of the rows first.
+    pub(super) fn slopes(&self, slots: &[f64; SLOTS], settled: &[Settled]) -> DMatrix<f64> {
+        let rows = stacked(settled, self.free, self.sizes);
+        let count = rows.nrows();
+        let mut all = rows.resize_vertically(count + self.known.len(), 0.0);
+        for (i, known) in self.known.iter().enumerate() {
+            let slot = known.parameter.slot() as usize;
+            if let Some(k) = self.free.iter().position(|free| *free == slot) {
+                all[(count + i, k)] = known.slope(self.model, slots) * self.sizes[k];
+            }
+        }
+        all
+    }
+
     /// Each row's state nearest to it under some parameters; or the lines without one.
     pub(super) fn search(&self, slots: &[f64; SLOTS]) -> Result<Vec<Settled>, Vec<usize>> {
         let nearest = |row: &Row| {
@@ -108,15 +149,15 @@ impl Ground<'_> {
             x,
             slots,
             anchors: settled.iter().map(|row| row.spot).collect(),
-            best: sum(&settled),
-            count: settled.iter().map(|row| row.residuals.len()).sum(),
+            best: self.sum(&slots, &settled),
+            count: settled.iter().map(|row| row.residuals.len()).sum::<usize>() + self.known.len(),
             settled: Some(settled.clone()),
             kept: (slots, settled),
         };
         let (walk, report) = LevenbergMarquardt::new().with_patience(60).minimize(walk);
         // the best place seen, not the last one tried
         let (slots, settled) = walk.kept;
-        let chi_squared = sum(&settled);
+        let chi_squared = self.sum(&slots, &settled);
         let converged = report.termination.was_successful()
             || matches!(report.termination, levenberg_marquardt::TerminationReason::NoImprovementPossible(_));
         Bottom { slots, settled, chi_squared, converged }
@@ -135,9 +176,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Walk<'_> {
         }
         self.settled = self.ground.follow(&self.slots, &self.anchors);
         if let Some(settled) = &self.settled
-            && sum(settled) <= self.best
+            && self.ground.sum(&self.slots, settled) <= self.best
         {
-            self.best = sum(settled);
+            self.best = self.ground.sum(&self.slots, settled);
             self.anchors = settled.iter().map(|row| row.spot).collect();
             self.kept = (self.slots, settled.clone());
         }
@@ -150,7 +191,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Walk<'_> {
     fn residuals(&self) -> Option<DVector<f64>> {
         Some(match &self.settled {
             Some(settled) => {
-                DVector::from_iterator(self.count, settled.iter().flat_map(|row| row.residuals.iter().copied()))
+                let known = self.ground.known.iter().map(|known| known.residual(self.ground.model, &self.slots));
+                let rows = settled.iter().flat_map(|row| row.residuals.iter().copied());
+                DVector::from_iterator(self.count, rows.chain(known))
             }
             // a row without a state is a wall: worse than any place seen, so that the step is taken back
             None => DVector::from_element(self.count, 1.0 + libm::sqrt(1e4 * self.best)),
@@ -158,6 +201,6 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Walk<'_> {
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        Some(stacked(self.settled.as_ref()?, self.ground.free, self.ground.sizes))
+        Some(self.ground.slopes(&self.slots, self.settled.as_ref()?))
     }
 }

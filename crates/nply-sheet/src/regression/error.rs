@@ -132,6 +132,48 @@ pub enum RegressionError {
         /// Their lines.
         lines: Vec<usize>,
     },
+    /// A row whose measurement no ply comes near to.
+    #[error("line {line}: {}", out_of_reach(.name, &.measured.to_string(), &.limit.to_string(), *.least))]
+    OutOfReach {
+        /// Its line.
+        line: usize,
+        /// What was measured.
+        name: &'static str,
+        /// The number, SI.
+        measured: f64,
+        /// Where what can be ends, SI.
+        limit: f64,
+        /// Whether that is the least, else the greatest.
+        least: bool,
+    },
+    /// There is no answer, and with turns counted the other way there is one.
+    #[error("{error}. {}", of_signs(.columns))]
+    Signs {
+        /// Columns with a sign.
+        columns: Vec<&'static str>,
+        /// Why there is no answer.
+        error: Box<Self>,
+    },
+    /// Known with an error, and held.
+    #[error("{0} is held, and what is held counts as exact: name it in --estimate too")]
+    KnownNotAsked(
+        /// Its name.
+        &'static str,
+    ),
+    /// An error that is none.
+    #[error("an error of {value} in {name}; one greater than 0 is wanted")]
+    KnownTo {
+        /// Its name.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// Known with an error beside measurements without.
+    #[error("{0} is known with an error, and the measurements have none to weigh it against: give errors with them")]
+    KnownUnweighed(
+        /// Its name.
+        &'static str,
+    ),
     /// No rows.
     #[error("there is no row of measurements")]
     NoRows,
@@ -145,7 +187,8 @@ impl RegressionError {
     #[must_use]
     pub const fn exit_code(&self) -> u8 {
         match self {
-            Self::NoState { .. } | Self::Domain(_) => 1,
+            Self::NoState { .. } | Self::OutOfReach { .. } | Self::Domain(_) => 1,
+            Self::Signs { error, .. } => error.exit_code(),
             _ => 2,
         }
     }
@@ -154,7 +197,11 @@ impl RegressionError {
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self {
-            Self::Uncertainty { line, .. } | Self::Overheld { line, .. } | Self::Underfixed { line, .. } => Some(*line),
+            Self::Uncertainty { line, .. }
+            | Self::Overheld { line, .. }
+            | Self::Underfixed { line, .. }
+            | Self::OutOfReach { line, .. } => Some(*line),
+            Self::Signs { error, .. } => error.line(),
             Self::NoState { lines } => lines.first().copied(),
             _ => None,
         }
@@ -163,6 +210,28 @@ impl RegressionError {
 
 fn said(numbers: &[usize]) -> String {
     lines(numbers)
+}
+
+/// The limit that is no state.
+pub(super) const fn limit_of(flat: bool) -> &'static str {
+    if flat { "flat rings (90°)" } else { "straight strands (0°)" }
+}
+
+/// What is said of a measurement that no ply comes near to, its numbers in some unit.
+pub(super) fn out_of_reach(name: &str, measured: &str, limit: &str, least: bool) -> String {
+    format!(
+        "no ply of these strands has {name} {measured}: it is {} {limit}, at whatever angle; look at size, unit and sign, or leave the row out",
+        if least { "at least" } else { "at most" }
+    )
+}
+
+/// What is to be asked where turns counted the other way fit.
+pub(super) fn of_signs(columns: &[&'static str]) -> String {
+    format!(
+        "With the signs of {} turned round the measurements fit: are they right? S is negative, and a ply let go winds against the twist in its \
+         strands",
+        columns.join(" and ")
+    )
 }
 
 fn names() -> String {

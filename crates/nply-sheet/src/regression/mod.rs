@@ -22,6 +22,7 @@ mod answer;
 mod chi;
 mod columns;
 mod descent;
+mod doubt;
 mod error;
 mod observable;
 mod parameter;

@@ -4,12 +4,12 @@ use core::cell::Cell;
 
 use nply::mechanics::Ply;
 
-use super::descent::{Bottom, Ground};
+use super::descent::{Bottom, Ground, Known};
 use super::parameter::Slot;
 use super::row::{Datum, Row};
 use super::sensed::SLOTS;
 use super::state::Model;
-use super::{Observable, Parameter, Regressed, RegressionError, answer};
+use super::{Observable, Parameter, Regressed, RegressionError, answer, doubt};
 
 /// What a column says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -77,6 +77,9 @@ impl DataColumn {
     }
 }
 
+/// A row that says nothing: its line, and what is missing there.
+type LeftOut = (usize, &'static str);
+
 /// Parameters to be estimated from rows.
 ///
 /// A load in no column is 0, as elsewhere; one that is NaN in a row is unknown there, and found with the row's state.
@@ -88,6 +91,8 @@ pub struct Regression {
     pub(super) rows: Vec<Row>,
     pub(super) weighed: bool,
     pub(super) charted: Ply,
+    pub(super) known: Vec<Known>,
+    pub(super) left_out: Vec<LeftOut>,
     starts: usize,
 }
 
@@ -128,10 +133,45 @@ impl Regression {
                 return Err(RegressionError::NoLength(observable.name()));
             }
         }
-        let rows = rows(&model, &columns, lines, &absent)?;
+        let (rows, left_out) = rows(&model, &columns, lines, &absent)?;
         let charted = Ply::with_balance(model.strands(), 1.0, model.balance())?;
         let asked = asked.to_vec();
-        Ok(Self { model, asked, columns, rows, weighed, charted, starts: Self::STARTS })
+        let known = Vec::new();
+        Ok(Self { model, asked, columns, rows, weighed, charted, known, left_out, starts: Self::STARTS })
+    }
+
+    /// The same with the start of a number known to one standard error, in the number's own unit: it is estimated from the rows and from
+    /// what is known of it, as from one measurement more. Held, it would count as exact.
+    ///
+    /// # Errors
+    /// [`RegressionError`] unless the number is to be estimated, the error is greater than 0, and the measurements have errors too.
+    ///
+    /// ```
+    /// use nply::mechanics::Balance;
+    /// use nply_sheet::regression::{DataColumn, Model, Observable, Parameter, Regression, Role};
+    /// let model = Model::new(3, Balance::Contact)?.with(Parameter::StiffnessRatio, 0.8)?.with(Parameter::Pretwist, -1.0)?;
+    /// let angle = DataColumn::new(Observable::HelicalAngle, vec![0.534], Role::Measured(vec![0.002]));
+    /// let fit = Regression::new(model, &[Parameter::StiffnessRatio, Parameter::Pretwist], vec![angle])?
+    ///     .with_known(Parameter::StiffnessRatio, 0.05)?
+    ///     .run()?;
+    /// // one angle cannot give both: the ratio stays what it was known to be, the twist follows
+    /// let ratio = &fit.estimates[0];
+    /// assert!((ratio.value - 0.8).abs() < 1e-6 && ratio.standard_error.is_some_and(|error| (error - 0.05).abs() < 1e-6));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_known(mut self, parameter: Parameter, error: f64) -> Result<Self, RegressionError> {
+        let name = parameter.name();
+        let value = self.model.value(parameter).filter(|_| self.asked.contains(&parameter));
+        let value = value.ok_or(RegressionError::KnownNotAsked(name))?;
+        if !(error > 0.0 && error < f64::INFINITY) {
+            return Err(RegressionError::KnownTo { name, value: error });
+        }
+        if !self.weighed {
+            return Err(RegressionError::KnownUnweighed(name));
+        }
+        self.known.retain(|known| known.parameter != parameter);
+        self.known.push(Known { parameter, value, error });
+        Ok(self)
     }
 
     /// The same with so many starts, 1 at least: the given one, and others about it.
@@ -169,6 +209,10 @@ impl Regression {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn run_while(&self, may_go_on: &dyn Fn(usize) -> bool) -> Result<Regressed, RegressionError> {
+        doubt::of_signs(self, self.estimated(may_go_on), may_go_on)
+    }
+
+    pub(super) fn estimated(&self, may_go_on: &dyn Fn(usize) -> bool) -> Result<Regressed, RegressionError> {
         let behind = Cell::new(0);
         let may_go_on = &|| may_go_on(behind.get());
         let or_stopped = || if may_go_on() { Ok(()) } else { Err(RegressionError::Stopped) };
@@ -178,6 +222,7 @@ impl Regression {
             model: &self.model,
             charted: &self.charted,
             rows: &self.rows,
+            known: &self.known,
             free: &free,
             sizes: &sizes,
             may_go_on,
@@ -220,6 +265,21 @@ impl Regression {
         let answer = answer::of(self, &ground, best, &bottoms);
         or_stopped()?;
         answer
+    }
+
+    /// The same measurements with the ply's turns counted the other way; `None` where nothing has a sign.
+    pub(super) fn mirrored(&self) -> Option<Self> {
+        let mut other = self.clone();
+        let mut turned = false;
+        for row in &mut other.rows {
+            let held = row.held.iter_mut().map(|(observable, value)| (*observable, value));
+            let measured = row.measured.iter_mut().map(|datum| (datum.observable, &mut datum.value));
+            for (_, value) in held.chain(measured).filter(|(observable, _)| observable.is_signed()) {
+                *value = -*value;
+                turned = true;
+            }
+        }
+        turned.then_some(other)
     }
 
     /// The size of one step in each slot: 1 in a logarithm, a twist by its own size.
@@ -350,8 +410,10 @@ fn rows(
     columns: &[DataColumn],
     lines: &[usize],
     absent: &[Observable],
-) -> Result<Vec<Row>, RegressionError> {
+) -> Result<(Vec<Row>, Vec<LeftOut>), RegressionError> {
     let mut rows = Vec::with_capacity(lines.len());
+    let mut left_out = Vec::new();
+    let twist_column = columns.iter().find(|column| matches!(column.given, Given::Twist(_)));
     let units: Vec<f64> = columns.iter().map(unweighted_unit).collect();
     for (i, &line) in lines.iter().enumerate() {
         let mut row =
@@ -372,9 +434,15 @@ fn rows(
                 }
             }
         }
-        let twist_column = columns.iter().any(|column| matches!(column.given, Given::Twist(_)));
-        if row.measured.is_empty() || twist_column && row.twist.is_none() {
-            continue; // a row that says nothing
+        // a row that says nothing
+        let missing = match twist_column {
+            _ if row.measured.is_empty() => Some("measured number"),
+            Some(column) if row.twist.is_none() => Some(column.given.name()),
+            _ => None,
+        };
+        if let Some(missing) = missing {
+            left_out.push((line, missing));
+            continue;
         }
         let shapes = row.held.iter().filter(|(observable, _)| !observable.is_load()).count();
         let shapes = shapes > 1 && !model.stretches();
@@ -388,5 +456,5 @@ fn rows(
         }
         rows.push(row);
     }
-    if rows.is_empty() { Err(RegressionError::NoRows) } else { Ok(rows) }
+    if rows.is_empty() { Err(RegressionError::NoRows) } else { Ok((rows, left_out)) }
 }

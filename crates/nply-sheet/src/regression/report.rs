@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::answer::{Estimate, FittedRow};
 use super::columns::Roles;
+use super::error::{of_signs, out_of_reach};
 use super::written::Written;
 use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
 use crate::plot::Picture;
@@ -23,7 +24,8 @@ pub struct RegressionQuestion {
     pub measured: Vec<String>,
     /// Columns held, though the data give errors with them.
     pub held: Vec<String>,
-    /// `NAME=ERROR`: one standard error for all rows, in the column's unit, in its own, or in % of each number.
+    /// `NAME=ERROR`: one standard error for all rows, in the column's unit, in its own, or in % of each number; or that of a number to be
+    /// estimated whose start is known so well beforehand.
     pub errors: Vec<String>,
     /// How many starts are tried; [`Regression::STARTS`] if `None`.
     pub starts: Option<usize>,
@@ -79,7 +81,10 @@ impl RegressionReport {
     ) -> Result<Self, SpecError> {
         let asked = asked(&question.estimate)?;
         let written = Written::of(spec, &asked)?;
-        let roles = roles(question)?;
+        let (known, errors): (Vec<_>, Vec<_>) = errors(question)?
+            .into_iter()
+            .partition(|(name, _)| Parameter::named(name).is_some() && !data.names().contains(&name.as_str()));
+        let roles = roles(question, errors);
         let mut columns = data.columns(&roles, written.sized, written.scaled)?;
         columns.extend(written.loads(spec, &columns, data.lines().len())?);
         let assumed: Vec<Observable> = [Observable::Force, Observable::Moment]
@@ -87,7 +92,13 @@ impl RegressionReport {
             .filter(|load| columns.iter().all(|column| column.given != Given::State(*load)))
             .collect();
         let refused = |error: RegressionError| refused(spec, data, &asked, &error);
-        let regression = Regression::with_lines(written.model, &asked, columns, data.lines()).map_err(refused)?;
+        let regression =
+            Regression::with_lines(written.model.clone(), &asked, columns, data.lines()).map_err(refused)?;
+        let regression = known.iter().try_fold(regression, |regression, (name, text)| {
+            let Some(parameter) = Parameter::named(name) else { return Ok(regression) };
+            let error = written.error(&regression.model, parameter, text)?;
+            regression.with_known(parameter, error).map_err(refused)
+        })?;
         let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
         let answer = regression.run_while(may_go_on).map_err(refused)?;
         let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
@@ -221,8 +232,8 @@ fn asked(names: &[String]) -> Result<Vec<Parameter>, SpecError> {
     names.iter().map(named).collect()
 }
 
-fn roles(question: &RegressionQuestion) -> Result<Roles, SpecError> {
-    let plain = |names: &[String]| names.iter().map(|name| name.trim().replace('-', "_")).collect();
+/// `name=error`, taken apart.
+fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecError> {
     let apart = |text: &String| {
         let wrong = || {
             let message = format!(
@@ -234,11 +245,12 @@ fn roles(question: &RegressionQuestion) -> Result<Roles, SpecError> {
         let (name, error) = text.split_once('=').ok_or_else(wrong)?;
         Ok((name.trim().replace('-', "_"), error.trim().to_owned()))
     };
-    Ok(Roles {
-        measured: plain(&question.measured),
-        held: plain(&question.held),
-        errors: question.errors.iter().map(apart).collect::<Result<_, SpecError>>()?,
-    })
+    question.errors.iter().map(apart).collect()
+}
+
+fn roles(question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {
+    let plain = |names: &[String]| names.iter().map(|name| name.trim().replace('-', "_")).collect();
+    Roles { measured: plain(&question.measured), held: plain(&question.held), errors }
 }
 
 /// The refusal at its place.
@@ -259,6 +271,21 @@ fn refused(spec: &Spec, data: &Measurements, asked: &[Parameter], error: &Regres
                 _ => crate::Datum::Pretwist,
             };
             spec.missing(key, message)
+        }
+        RegressionError::KnownNotAsked(_) | RegressionError::KnownTo { .. } | RegressionError::KnownUnweighed(_) => {
+            SpecError::new(kind, flag("error"), message)
+        }
+        RegressionError::OutOfReach { line, name, measured, limit, least } => {
+            let unit = Observable::ALL.into_iter().find(|observable| observable.name() == *name);
+            let unit = unit.and_then(|observable| data.unit(observable));
+            let read = |value: f64| {
+                unit.map_or_else(|| six_digits(value), |unit| format!("{} {unit}", six_digits(unit.of_si(value))))
+            };
+            data.refuse(Some(*line), kind, out_of_reach(name, &read(*measured), &read(*limit), *least))
+        }
+        RegressionError::Signs { columns, error } => {
+            let inner = refused(spec, data, asked, error);
+            data.refuse(error.line(), kind, format!("{}. {}", inner.message(), of_signs(columns)))
         }
         RegressionError::NoLength(_) => spec.missing(crate::Datum::StrandLength, message),
         _ => {
@@ -288,7 +315,11 @@ impl RegressionReport {
             "{title}{} strands{stretch}, {} balance, fitted to {} rows of {}",
             model.strands(),
             model.balance().name(),
-            self.answer.rows.len(),
+            if self.regression.left_out.is_empty() {
+                self.answer.rows.len().to_string()
+            } else {
+                format!("{} of {}", self.answer.rows.len(), self.lines.len())
+            },
             self.file.replace(|c: char| c.is_control(), " ")
         );
         let _ = writeln!(out, "{}", marks.heading(&headline));
@@ -353,13 +384,17 @@ impl RegressionReport {
         let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
         let dash = || "–".to_owned();
         let mut estimates = vec![row("", "", words(&["value", "standard error", "start"]))];
-        for Estimate { parameter, value, standard_error, start } in &self.answer.estimates {
-            let (factor, unit) = self.reading_of(*parameter, *value);
+        for Estimate { parameter, value, standard_error, start, determined, known_to } in &self.answer.estimates {
+            let (factor, unit) = self.reading_of(*parameter, if *determined { *value } else { *start });
             let digits = |value: f64| six_digits(value * factor);
-            let error = standard_error.map_or_else(dash, |error| {
-                format!("{} ({})", three_digits(error * factor), percent(error / value.abs()))
-            });
-            estimates.push(row(parameter.name(), &unit, vec![digits(*value), error, digits(*start)]));
+            let error = match standard_error {
+                Some(error) => format!("{} ({})", three_digits(error * factor), percent(error / value.abs())),
+                None if *determined => dash(),
+                None => "not determined".to_owned(),
+            };
+            let value = if *determined { digits(*value) } else { dash() };
+            let known = known_to.map_or_else(String::new, |error| format!(" ± {}", three_digits(error * factor)));
+            estimates.push(row(parameter.name(), &unit, vec![value, error, digits(*start) + &known]));
         }
         let mut tables = vec![("Estimates", estimates)];
         if self.answer.estimates.len() > 1 {
@@ -491,9 +526,10 @@ impl RegressionReport {
             json!({
                 "name": estimate.parameter.name(),
                 "unit": unit,
-                "value": estimate.value * factor,
+                "value": estimate.determined.then_some(estimate.value * factor),
                 "standard_error": estimate.standard_error.map(|error| error * factor),
                 "start": estimate.start * factor,
+                "known_to": estimate.known_to.map(|error| error * factor),
             })
         };
         top.insert("estimates".into(), answer.estimates.iter().map(estimate).collect());
@@ -544,7 +580,7 @@ fn three_digits(value: f64) -> String {
     six_digits(rounded)
 }
 
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     if share.is_finite() { format!("{} %", three_digits(100.0 * share)) } else { "–".to_owned() }
 }
 

@@ -66,6 +66,33 @@ struct Look {
 
 const MOST_STEPS: usize = 100;
 
+/// Whether an angle is that of straight strands or flat rings, which a walk comes as near to as it likes.
+pub(super) fn is_limit(angle: f64) -> bool {
+    const NEXT_TO: f64 = 1e-6;
+    !(NEXT_TO..=core::f64::consts::FRAC_PI_2 - NEXT_TO).contains(&angle)
+}
+
+/// The least and the greatest number that plies of some strands have, whatever their angle and their loads, strands that do not stretch.
+pub(super) fn reach(model: &Model, charted: &Ply, strand: &Strand, observable: Observable) -> Option<[f64; 2]> {
+    const STEPS: u32 = 400;
+    let at = |hand: Handedness, step: u32| {
+        // close together at both ends, where most have their least and greatest
+        let along = f64::from(step) / f64::from(STEPS);
+        let angle = HelicalAngle::new(core::f64::consts::FRAC_PI_2 * along * along * (3.0 - 2.0 * along)).ok()?;
+        let spot = model.spot(strand, hand, place_of(angle), [Some(0.0), None], false);
+        Some(observable.of(&model.readings(charted, strand, &spot)?).value)
+    };
+    let hands = [Handedness::Right, Handedness::Left];
+    let hands = hands.into_iter().filter(|hand| model.hand.is_none_or(|known| known == *hand));
+    let values = hands.flat_map(|hand| (1..STEPS).filter_map(move |step| at(hand, step)));
+    // straight strands do not turn: what has a sign ends there at 0
+    let ends = observable.is_signed().then_some([0.0; 2]);
+    values.fold(ends, |ends: Option<[f64; 2]>, value| {
+        let [low, high] = ends.unwrap_or([value; 2]);
+        Some([low.min(value), high.max(value)])
+    })
+}
+
 impl Row {
     /// Of the size of what is held.
     fn size(observable: Observable, value: f64, strand: &Strand, model: &Model) -> f64 {
@@ -144,7 +171,9 @@ impl Row {
             last = size;
         }
         let kept = look.held.iter().all(|(off, _)| off.abs() < 1e-9);
-        if !kept { None } else { self.settled(spot, &look) }
+        // both loads held vanish with the angle, and do so at flat rings: limits keep them, and are no states
+        let limit = self.held.len() == 2 && is_limit(look.readings.angle.value);
+        if !kept || limit { None } else { self.settled(spot, &look) }
     }
 
     /// The state with its slopes.

@@ -5,7 +5,7 @@ use nply::mechanics::Twist;
 use super::{DataColumn, Given, Model, Observable, Parameter, Role};
 use crate::case::EstimatedPly;
 use crate::spec::Spec;
-use crate::{Datum, ErrorKind, PreferredUnits, SpecError};
+use crate::{Datum, Dimension, ErrorKind, Place, PreferredUnits, Quantity, SpecError};
 
 /// A ply with the starts of its estimates, and what else the document says.
 #[derive(Clone, Debug)]
@@ -73,6 +73,33 @@ impl Written {
         let loads = [(Observable::Force, ply.force, units[0]), (Observable::Moment, ply.moment, units[1])];
         let loads = loads.into_iter().filter_map(|(load, value, unit)| Some((load, value? * unit))).collect();
         Ok(Self { title: ply.title, model, loads, sized, scaled, units: ply.units })
+    }
+
+    /// The error to which a number is known beforehand: with its unit, bare where the strand has no size, or in % of it.
+    pub(super) fn error(&self, model: &Model, parameter: Parameter, text: &str) -> Result<f64, SpecError> {
+        let name = parameter.name();
+        let refuse = |kind, message: String| SpecError::new(kind, Place::Flag("error".to_owned()), message);
+        let read = |text| Quantity::parse(text).map_err(|why| refuse(ErrorKind::Syntax, format!("{name}: {why}")));
+        if let Some(share) = text.trim().strip_suffix('%') {
+            return Ok(read(share)?.si() / 100.0 * model.value(parameter).unwrap_or(0.0).abs());
+        }
+        let wanted = parameter.dimension();
+        let measured = match wanted {
+            Dimension::NUMBER => false,
+            Dimension::LENGTH | Dimension::ANGLE_PER_LENGTH => self.sized,
+            _ => self.scaled,
+        };
+        match read(text)? {
+            Quantity::Bare(value) if !measured => {
+                Ok(if parameter == Parameter::TurnsPerLength { value * core::f64::consts::TAU } else { value })
+            }
+            Quantity::Measured { si, unit } if measured && unit.dimension() == wanted => Ok(si),
+            _ => {
+                let wanted = if measured { wanted } else { Dimension::NUMBER };
+                let message = format!("{} is no error of {name}, which is {wanted}", crate::quoted(text));
+                Err(refuse(ErrorKind::WrongUnit, message))
+            }
+        }
     }
 
     /// The loads of the document as columns, held; refused where the data have one too.

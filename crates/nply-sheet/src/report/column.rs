@@ -42,7 +42,7 @@ impl Section {
             Self::Link => "Link, all strands together: put in = twist + writhe",
             Self::Loads => "Loads and contact",
             Self::Margin => "Margin to separation and other limits",
-            Self::Energy => "Energy per strand length",
+            Self::Energy => "Energy of one strand, per strand length",
             Self::Response => "Response to a change of load",
             Self::Buckling => "Buckling of the ply as a whole, hinged ends: two bounds",
         }
@@ -180,9 +180,13 @@ pub const COLUMNS: &[Column] = {
         column(Buckling, "bending_stiffness_sliding", "bending stiffness, strands sliding", Measure::Stiffness, |s| {
             Some(s.bending_bounds().sliding)
         }),
-        column(Buckling, "bending_stiffness_locked", "bending stiffness, strands locked", Measure::Stiffness, |s| {
-            Some(s.bending_bounds().locked)
-        }),
+        column(
+            Buckling,
+            "bending_stiffness_locked",
+            "bending stiffness, solid strands locked",
+            Measure::Stiffness,
+            |s| Some(s.bending_bounds().locked),
+        ),
     ]
 };
 
@@ -223,14 +227,23 @@ pub(super) const LENGTH_COLUMNS: &[LengthColumn] = {
         column(Buckling, "buckling_thrust_sliding", "thrust it buckles at, strands sliding", Force, |s, length| {
             Some(buckling_thrust(s, length)?[0])
         }),
-        column(Buckling, "buckling_thrust_locked", "thrust it buckles at, strands locked", Force, |s, length| {
+        column(Buckling, "buckling_thrust_locked", "thrust it buckles at, solid strands locked", Force, |s, length| {
             Some(buckling_thrust(s, length)?[1])
         }),
     ]
 };
 
-/// The two bounds on the thrust at which a state of strands of length L/r buckles as a whole, under its own moment.
+/// What of the list holds for solid round strands alone.
+pub(super) const OF_SOLID_STRANDS: [&str; 2] = ["bending_stiffness_locked", "buckling_thrust_locked"];
+
+/// The two bounds on the thrust at which a state of strands of length L/r buckles as a whole, under its own moment. None where neighbours
+/// would have to pull: such a ply has come apart, and is no column.
 pub(super) fn buckling_thrust(state: &Equilibrium, strand_length: f64) -> Option<[f64; 2]> {
+    // a pressure that is 0 but for rounding
+    const NOTHING: f64 = 1e-14;
+    if state.interstrand_pressure() < -NOTHING {
+        return None;
+    }
     state.bending_bounds().buckling_thrust(strand_length * state.extension(), state.load().moment).ok()
 }
 

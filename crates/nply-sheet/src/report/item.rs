@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use nply::Handedness;
 use serde_json::{Map, Value, json};
 
-use super::text::{Emphasis, Row, hand, lay_out};
+use super::text::{Emphasis, Row, hand, largest, lay_out};
 use super::{Known, Measure};
 use crate::PreferredUnits;
 use crate::preferred::six_digits;
@@ -36,6 +36,10 @@ impl<T> Item<T> {
         // adding 0 takes the sign from a negative zero
         (self.value)(of).filter(|value| value.is_finite()).map(|value| value + 0.0)
     }
+
+    fn values(&self, all: &[T]) -> Vec<Option<f64>> {
+        all.iter().map(|of| self.of(of)).collect()
+    }
 }
 
 /// How numbers are written for a reader.
@@ -55,9 +59,15 @@ impl Reader<'_> {
         found: Option<&str>,
     ) -> Vec<(&'static str, Vec<Row>)> {
         let mut parts = vec![("", head)];
-        for item in items.iter().filter(|item| !item.label.is_empty()) {
+        let shown: Vec<&Item<T>> = items.iter().filter(|item| !item.label.is_empty()).collect();
+        for item in &shown {
             let mark = if found == Some(item.name) { " (found)" } else { "" };
-            let Some(row) = self.row(item, mark, all) else { continue };
+            let beside: Vec<(Measure, f64)> = shown
+                .iter()
+                .filter(|other| other.heading == item.heading)
+                .map(|other| (other.measure, largest(&other.values(all))))
+                .collect();
+            let Some(row) = self.row(item, mark, all, &beside) else { continue };
             match parts.last_mut() {
                 Some((last, rows)) if *last == item.heading => rows.push(row),
                 _ => parts.push((item.heading, vec![row])),
@@ -66,10 +76,11 @@ impl Reader<'_> {
         parts
     }
 
-    pub(super) fn row<T>(&self, item: &Item<T>, mark: &str, all: &[T]) -> Option<Row> {
-        let values: Vec<Option<f64>> = all.iter().map(|of| item.of(of)).collect();
-        let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let reading = item.measure.reading(self.known, self.units, largest);
+    /// A row in the unit that suits the rows beside it, of which measure and size are given.
+    pub(super) fn row<T>(&self, item: &Item<T>, mark: &str, all: &[T], beside: &[(Measure, f64)]) -> Option<Row> {
+        let values = item.values(all);
+        let size = item.measure.size_among(largest(&values), beside);
+        let reading = item.measure.reading(self.known, self.units, size);
         let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * reading.factor));
         values.iter().any(Option::is_some).then(|| Row {
             label: format!("{}{mark}", item.label),

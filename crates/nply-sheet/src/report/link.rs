@@ -100,6 +100,10 @@ impl LinkReport {
         let mut notes = self.set.notes.clone();
         notes.push(closing_note(&self.set));
         notes.extend(extension_note(self.extension, self.set.unit.as_deref()));
+        notes.push(
+            "Each curve runs from its first point to its last: read the other way (--reverse NAME) its links have the other sign."
+                .to_owned(),
+        );
         let whole = self.links.iter().filter(|link| matches!(link, Link::Number(_))).count();
         if whole > 0 {
             notes.push(

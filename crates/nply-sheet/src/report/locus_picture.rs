@@ -4,10 +4,28 @@ use nply::Handedness;
 use nply::geometry::HelicalAngle;
 
 use super::LocusReport;
-use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape};
+use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape, Note, Side};
 
 /// Degrees between lines of constant angle.
 const EVERY: u32 = 10;
+
+/// Where on its way to a far point a line is about to leave the frame, and the side on which words stand clear of it. None if it begins
+/// outside.
+fn at_the_frame((x, y): (f64, f64), far: (f64, f64), across: (f64, f64), up: (f64, f64)) -> Option<((f64, f64), Side)> {
+    // room for the words, in parts of the frame
+    const ROOM: (f64, f64) = (0.05, 0.04);
+    let (width, height) = (across.1 - across.0, up.1 - up.0);
+    let (dx, dy) = (far.0 - x, far.1 - y);
+    let until = |from: f64, step: f64, (low, high): (f64, f64), room: f64| match step {
+        step if step > 0.0 => (high - room - from) / step,
+        step if step < 0.0 => (low + room - from) / step,
+        _ => f64::INFINITY,
+    };
+    let (aside, upright) = (until(x, dx, across, ROOM.0 * width), until(y, dy, up, ROOM.1 * height));
+    let share = aside.min(upright);
+    let side = if upright < aside { Side::Right } else { Side::Above };
+    (share > 0.0).then_some(((x + share * dx, y + share * dy), side))
+}
 
 impl LocusReport {
     /// Both curves in the plane of force and moment, with lines of constant angle: solid where neighbours press, dashed where they would
@@ -59,6 +77,10 @@ impl LocusReport {
                 let pulls =
                     Curve::new(name("p < 0"), [end(0.0), end(-far)]).with_colour(colour).with_width(1.4).dashed();
                 chart = chart.with_curve(presses).with_curve(pulls);
+                if let Some((place, side)) = at_the_frame(end(0.0), end(far), across, up) {
+                    let note = Note::new(format!("{degrees}°"), place.0, place.1, side).with_colour(colour);
+                    chart = chart.with_note(note);
+                }
             }
         }
         for hand in Handedness::BOTH {

@@ -114,21 +114,32 @@ pub(super) fn rows(
     units: &PreferredUnits,
     strand_length: Option<f64>,
 ) -> Vec<Row> {
+    let limits_of = |change: Change, way: Way| -> Vec<Option<Option<Limit>>> {
+        let pairs = states.iter().zip(margins);
+        pairs.map(|(state, margins)| margins.get(change).map(|margin| on(margin, way, state.handedness()))).collect()
+    };
+    let kind_of = |change: Change| {
+        let turned = change == Change::Pretwist && known.strand_radius.is_some();
+        if turned { (Measure::TurnsPerLength, 1.0 / TAU) } else { (measure(change), 1.0) }
+    };
+    let size = |change: Change, limit: &Limit| (kind_of(change).1 * change_of(change, limit)).abs();
+    // ways up and down are compared: one unit for both
+    let beside: Vec<(Measure, f64)> = ROWS
+        .into_iter()
+        .flat_map(|(_, change, way)| {
+            let met = limits_of(change, way).into_iter().flatten().flatten();
+            met.map(move |limit| (kind_of(change).0, size(change, &limit))).collect::<Vec<_>>()
+        })
+        .collect();
     let mut rows = Vec::new();
     for (label, change, way) in ROWS {
-        let limits: Vec<Option<Option<Limit>>> = states
-            .iter()
-            .zip(margins)
-            .map(|(state, margins)| margins.get(change).map(|margin| on(margin, way, state.handedness())))
-            .collect();
-        let met = || limits.iter().flatten().flatten();
-        if met().next().is_none() {
+        let limits = limits_of(change, way);
+        if limits.iter().flatten().flatten().next().is_none() {
             continue;
         }
-        let turned = change == Change::Pretwist && known.strand_radius.is_some();
-        let (kind, factor) = if turned { (Measure::TurnsPerLength, 1.0 / TAU) } else { (measure(change), 1.0) };
-        let size = |limit: &Limit| (factor * change_of(change, limit)).abs();
-        let reading = kind.reading(known, units, met().map(size).fold(0.0, f64::max));
+        let kind = kind_of(change).0;
+        let size = |limit: &Limit| size(change, limit);
+        let reading = kind.reading(known, units, kind.size_among(0.0, &beside));
         let cells = |text: &dyn Fn(&Limit) -> String| {
             let cell = |limit: &Option<Option<Limit>>| match limit {
                 Some(Some(limit)) => text(limit),

@@ -112,6 +112,15 @@ impl Measure {
         Reading { factor: unit.of_si(si), unit: unit.to_string() }
     }
 
+    /// The size by which a row's unit is chosen, beside rows of these measures and sizes under one heading: what is summed or compared there has one
+    /// unit, that of the largest. Lengths, from a gap to a lay, are each read by themselves; one that is zero goes with the others.
+    pub(crate) fn size_among(self, own: f64, rows: &[(Self, f64)]) -> f64 {
+        if self == Self::Length && own > 0.0 {
+            return own;
+        }
+        rows.iter().filter(|(measure, _)| *measure == self).fold(own, |most, (_, size)| most.max(*size))
+    }
+
     /// How a person reads a rotation per length in rad/r: as turns per length.
     pub(crate) fn turning(known: Known, units: &PreferredUnits, largest: f64) -> Reading {
         let Reading { factor, unit } = Self::TurnsPerLength.reading(known, units, largest / TAU);

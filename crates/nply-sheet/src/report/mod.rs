@@ -42,7 +42,7 @@ pub use measure::{Known, Measure, Reading};
 pub use plying::PlyingReport;
 pub use shape::ShapeReport;
 pub use stiffness::StiffnessReport;
-pub use strings::StringsReport;
+pub use strings::{StringsGoal, StringsReport};
 pub(crate) use trace::data_of;
 pub use trace::{TraceReport, Walk};
 pub use writhe::{WritheQuestion, WritheReport, Writhing};
@@ -182,7 +182,7 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
         );
     }
     if let Some(length) = case.strand_length {
-        notes.extend(buckling(&solution.states, length));
+        notes.extend(buckling(&solution.states, length, case.may_be_solid()));
     }
     if case.balance == Balance::Radial && !solution.states.is_empty() {
         notes.push(
@@ -197,19 +197,24 @@ fn notes(case: &Case, solution: &Solution) -> Vec<String> {
     notes
 }
 
-/// Which touching states are pushed harder than a ply of this length bears as a whole.
-fn buckling(states: &[Equilibrium], strand_length: f64) -> Vec<String> {
+/// Which touching states are pushed harder than a ply of this length bears as a whole; the upper bound is of `solid` strands alone.
+fn buckling(states: &[Equilibrium], strand_length: f64, solid: bool) -> Vec<String> {
     let beyond = |state: &Equilibrium| {
         let bounds = column::buckling_thrust(state, strand_length).filter(|_| !state.is_separated());
-        bounds.map_or(0, |bounds| bounds.iter().filter(|bound| -state.load().force > **bound).count())
+        let known = if solid { 2 } else { 1 };
+        bounds.map_or(0, |bounds| bounds.iter().take(known).filter(|bound| -state.load().force > **bound).count())
     };
     let (some, all) = (numbers(states, |state| beyond(state) == 1), numbers(states, |state| beyond(state) == 2));
     let said = |numbers: &[String], what: &str| {
         (!numbers.is_empty()).then(|| format!("{} {what}", self::states(numbers).replacen("State", "In state", 1)))
     };
-    let may = "the ply may buckle as a whole: its loads are beyond what it bears if its strands slide freely, not what it \
-               bears if they are locked.";
-    let does = "the ply buckles as a whole: its loads are beyond what it bears even if its strands cannot slide.";
+    let may = if solid {
+        "the ply may buckle as a whole: its loads are beyond what it bears if its strands slide freely, not what it bears if they \
+         are solid, round and locked."
+    } else {
+        "the ply may buckle as a whole: its loads are beyond what it bears if its strands slide freely."
+    };
+    let does = "the ply buckles as a whole: its loads are beyond what it bears even if its strands are solid and round and cannot slide.";
     [said(&some, may), said(&all, does)].into_iter().flatten().collect()
 }
 

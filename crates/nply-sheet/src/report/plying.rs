@@ -8,6 +8,7 @@ use nply::mechanics::{Balance, Equilibrium, Load, Ply, Twist};
 use nply::{DomainError, Handedness};
 use serde_json::{Map, Value, json};
 
+use super::csv::unit_suffix;
 use super::item::{Item, Reader, item, numbers, of_hand, units, words};
 use super::json::header;
 use super::text::{Emphasis, Row, hand, lay_out, title};
@@ -40,9 +41,34 @@ pub(super) struct Plied {
     name: &'static str,
     balance: Balance,
     state: Equilibrium,
+    titre: Option<Titre>,
+}
+
+/// The titre of singles, and the radius without which their twist has no unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Titre {
+    tex: f64,
+    /// m
+    radius: f64,
+}
+
+impl Titre {
+    fn of(case: &Case) -> Option<Self> {
+        Some(Self { tex: 1e6 * case.linear_density?, radius: case.strand_radius? })
+    }
+
+    /// α = T √tex of a yarn of some titre, its twist T in turns/m.
+    fn twist_factor(self, turns: f64, tex: f64) -> f64 {
+        turns.abs() / self.radius * libm::sqrt(tex)
+    }
 }
 
 impl Plied {
+    /// R: n singles, and what the ply is shorter than they are.
+    fn resulting_tex(&self) -> Option<f64> {
+        Some(f64::from(self.state.contact().strands()) * self.titre?.tex / self.angle().cos())
+    }
+
     fn angle(&self) -> HelicalAngle {
         self.state.contact().angle()
     }
@@ -74,6 +100,14 @@ pub(super) const PLIED: &[Item<Plied>] = {
         item(TWIST, "strand_twist_per_length", "twist left in the singles", TurnsPerLength, |p| {
             Some(p.state.strand_twist() / TAU)
         }),
+        item(TWIST, "singles_twist_factor", "twist factor of the singles, tpm √tex", Number, |p| {
+            let titre = p.titre?;
+            Some(titre.twist_factor(p.state.pretwist() / TAU, titre.tex))
+        }),
+        item(TWIST, "ply_twist_factor", "twist factor of the ply, tpm √tex", Number, |p| {
+            Some(p.titre?.twist_factor(p.per_ply_length() / TAU, p.resulting_tex()?))
+        }),
+        item(SHAPE, "resulting_tex", "resulting titre, R tex", Number, Plied::resulting_tex),
         item(SHAPE, "helical_angle_deg", "ply angle (to the axis)", Degrees, |p| Some(p.angle().degrees())),
         item(SHAPE, "outer_diameter", "ply diameter", Length, |p| Some(2.0 * p.state.contact().outer_radius())),
         item(SHAPE, "lay_length", "lay length", Length, |p| Some(p.state.contact().lay_length())),
@@ -173,6 +207,36 @@ impl PlyingReport {
         Ply::with_balance(self.case.strands, self.case.stiffness_ratio, balance).ok()?.twist_ratio(angle)
     }
 
+    /// One row a ply: columns named as in JSON; those in SI, where the size is known, have their unit behind the name.
+    ///
+    /// ```
+    /// use nply_sheet::{PlyingReport, Spec};
+    /// let singles = [("strands", "2"), ("stiffness-ratio", "1"), ("diameter", "1 mm"), ("turns-per-length", "8 tpi Z")];
+    /// let csv = PlyingReport::of(Spec::from_flags(singles)?.check_plying()?)?.csv();
+    /// assert!(csv.starts_with("name,balance,handedness,lay,pretwist_per_length,"));
+    /// assert!(csv.contains(",lay_length_m") && csv.lines().nth(1).is_some_and(|row| row.starts_with("balanced,contact,-1,S,")));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let known = self.known();
+        let si: Vec<_> = PLIED.iter().filter_map(|item| Some((item, item.measure.si(known)?))).collect();
+        let mut head: Vec<String> = ["name", "balance", "handedness", "lay"].map(String::from).into();
+        head.extend(PLIED.iter().map(|item| item.name.to_owned()));
+        head.extend(si.iter().map(|(item, (_, unit))| format!("{}_{}", item.name, unit_suffix(unit))));
+        let mut out = head.join(",") + "\n";
+        let text = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
+        for plied in &self.plies {
+            let hand = plied.state.handedness();
+            let mut cells = vec![plied.name.to_owned(), plied.balance.name().to_owned()];
+            cells.extend([hand.sign().to_string(), hand.lay_letter().to_string()]);
+            cells.extend(PLIED.iter().map(|item| text(item.of(plied))));
+            cells.extend(si.iter().map(|(item, (factor, _))| text(item.of(plied).map(|value| value * factor))));
+            out += &(cells.join(",") + "\n");
+        }
+        out
+    }
+
     /// As JSON, named as in `nply solve --json`.
     #[must_use]
     pub fn json(&self) -> String {
@@ -264,7 +328,8 @@ fn plied(case: &Case, ply: &Ply) -> Result<Vec<Plied>, SpecError> {
         .into_iter()
         .filter(|state| state.handedness() == hand && state.contact().helical_angle() <= steepest.radians())
         .min_by(|a, b| a.contact().helical_angle().total_cmp(&b.contact().helical_angle()));
-    let plied = |name, state| Plied { name, balance: ply.balance(), state };
+    let titre = Titre::of(case);
+    let plied = |name, state| Plied { name, balance: ply.balance(), state, titre };
     let mut plies: Vec<Plied> = balanced.map(|state| plied("balanced", state)).into_iter().collect();
     // tan θ/ρ is two thirds of the pretwist, where strands can be laid so closely
     if let Ok(contact) = Lay::LayLength(TAU / (TWO_THIRDS * pretwist.abs())).contact(case.strands) {
@@ -307,6 +372,12 @@ fn notes(case: &Case, plies: &[Plied], rules: &[(Balance, HelicalAngle, HelicalA
         angles.join(" and "),
         off.unwrap_or_default()
     ));
+    if rules.first().is_some_and(|(balance, ..)| find(*balance, "two_thirds").is_none()) {
+        notes.push(
+            "Two thirds of the singles twist do not go into a ply of these singles: it would be closer than turns can lie to each other."
+                .to_owned(),
+        );
+    }
     let pulled: Vec<&str> = plies
         .iter()
         .filter(|plied| plied.state.interstrand_pressure() < 0.0)
@@ -326,14 +397,17 @@ fn notes(case: &Case, plies: &[Plied], rules: &[(Balance, HelicalAngle, HelicalA
         } else if (more - 1.0).abs() < 1e-9 {
             "The ply as given is balanced.".to_owned()
         } else {
-            let (share, word, does) = if more > 1.0 {
-                (more - 1.0, "more", "untwists")
+            let hand = given.state.handedness();
+            let (share, word, does, turns) = if more > 1.0 {
+                (more - 1.0, "more", "untwists", opposite(hand))
             } else {
-                (1.0 - more, "less", "twists up further")
+                (1.0 - more, "less", "twists up further", hand)
             };
             format!(
-                "The ply as given has {:.1} % {word} ply twist than balances: let go, it {does} until it is the balanced one.",
-                100.0 * share
+                "The ply as given has {:.1} % {word} ply twist than balances: let go, it {does} until it is the balanced one. Its free end \
+                 turns {turn}, and a slack loop of it snarls {turn}.",
+                100.0 * share,
+                turn = turns.lay_letter()
             )
         });
     }

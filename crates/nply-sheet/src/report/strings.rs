@@ -13,7 +13,7 @@ use super::json::header;
 use super::text::{Emphasis, Row, lay_out};
 use super::{Known, Measure};
 use crate::preferred::six_digits;
-use crate::{SpecError, Strings};
+use crate::{Dimension, ErrorKind, Place, Quantity, SpecError, Strings};
 
 /// Stroke, torque, gear ratio and tension as a motor turns, up to given turns or to the most that go in, beside the formula of a constant
 /// radius.
@@ -35,6 +35,48 @@ pub struct StringsReport {
     most: TwistedStrings,
     formula: ConstantRadius,
     known: Known,
+}
+
+/// What a motor is to do, given in place of its turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StringsGoal {
+    /// How far the load comes, m.
+    Stroke(f64),
+    /// What the motor holds, of limp strings, N m.
+    Torque(f64),
+    /// The pull in each string, N.
+    Tension(f64),
+}
+
+impl StringsGoal {
+    /// `stroke`, `torque` or `tension` with a number and its unit.
+    ///
+    /// # Errors
+    /// [`SpecError`] at the flag of that name.
+    pub fn read(name: &'static str, text: &str) -> Result<Self, SpecError> {
+        let (dimension, of): (_, fn(f64) -> Self) = match name {
+            "stroke" => (Dimension::LENGTH, Self::Stroke),
+            "torque" => (Dimension::MOMENT, Self::Torque),
+            _ => (Dimension::FORCE, Self::Tension),
+        };
+        let refuse = |kind, message| SpecError::new(kind, Place::Flag(name.to_owned()), message);
+        match Quantity::parse(text).map_err(|why| refuse(ErrorKind::Syntax, why.to_string()))? {
+            Quantity::Measured { si, unit } if unit.dimension() == dimension && si > 0.0 => Ok(of(si)),
+            _ => {
+                let message =
+                    format!("{} is no {name}; what is wanted is {dimension} greater than 0", crate::quoted(text));
+                Err(refuse(ErrorKind::WrongUnit, message))
+            }
+        }
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Stroke(_) => "stroke",
+            Self::Torque(_) => "torque",
+            Self::Tension(_) => "tension",
+        }
+    }
 }
 
 /// One position of the motor. Lengths in r, forces in N, moments in N r.
@@ -130,6 +172,53 @@ impl StringsReport {
         Ok(Self { strings, steps, most, formula, known })
     }
 
+    /// From no turns to those at which the motor does what it is to.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of); and where turns are given too, or the goal is not reached, or passed before the first turn.
+    ///
+    /// ```
+    /// use nply_sheet::{Spec, StringsGoal, StringsReport};
+    /// let flags = [("strands", "2"), ("diameter", "1 mm"), ("strand-length", "0.5 m"), ("force", "20 N")];
+    /// let report = StringsReport::up_to(Spec::from_flags(flags)?.check_strings()?, StringsGoal::Stroke(0.1), 10)?;
+    /// let json: serde_json::Value = serde_json::from_str(&report.json())?;
+    /// // p = √(L² − θ²r²) = 0.4 m at θ = 0.3 m/0.5 mm = 600 rad
+    /// let turns = json["steps"][10]["motor_turns"].as_f64().unwrap_or(0.0);
+    /// assert!((turns - 600.0 / core::f64::consts::TAU).abs() < 1e-10);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn up_to(mut strings: Strings, goal: StringsGoal, steps: usize) -> Result<Self, SpecError> {
+        let name = goal.name();
+        let refuse = |kind, message: String| SpecError::new(kind, Place::Flag(name.to_owned()), message);
+        if strings.rotation.is_some() {
+            let message =
+                format!("the turns of the motor are given, and those of a {name} are asked for: leave one of them out");
+            return Err(refuse(ErrorKind::Contradiction, message));
+        }
+        let (n, radius, force) = (strings.strands, strings.strand_radius, strings.force);
+        let length = strings.strand_length * radius;
+        let reached = match goal {
+            StringsGoal::Stroke(stroke) => TwistedStrings::reaching(n, TwistedStrings::contraction, stroke / length),
+            StringsGoal::Torque(torque) => TwistedStrings::reaching(n, TwistedStrings::lever, torque / force / radius),
+            StringsGoal::Tension(tension) => {
+                TwistedStrings::reaching(n, TwistedStrings::string_tension, tension / force)
+            }
+        };
+        let Some(reached) = reached.map_err(|error| strings.locate(&error))? else {
+            let message = match goal {
+                StringsGoal::Stroke(_) => {
+                    let most = TwistedStrings::most_turns(n).map_err(|error| strings.locate(&error))?;
+                    let most = strings.units.format(Dimension::LENGTH, length * most.contraction());
+                    format!("these strings do not come so far: the most turns are a stroke of {most}")
+                }
+                _ => format!("the load alone makes a greater {name} in each string, before any turn"),
+            };
+            return Err(refuse(ErrorKind::Domain, message));
+        };
+        strings.rotation = Some(reached.rotation());
+        Self::of(strings, steps)
+    }
+
     /// Columns that have a value anywhere.
     fn columns(&self) -> impl Iterator<Item = &'static Item<Step>> {
         STEP.iter().filter(|item| self.steps.iter().any(|step| item.of(step).is_some()))
@@ -151,10 +240,10 @@ impl StringsReport {
             Handedness::Right => "Z",
             Handedness::Left => "S",
         };
-        let force = strings.units.format(crate::Dimension::FORCE, strings.force);
+        let force = strings.units.format(Dimension::FORCE, strings.force);
         let headline = format!("{title}{} {kind} under {force}, turned {way}", strings.strands);
         let _ = writeln!(out, "{}", emphasis.heading(&headline));
-        let mut columns: Vec<Row> = self.columns().filter_map(|item| reader.row(item, "", &self.steps)).collect();
+        let mut columns: Vec<Row> = self.columns().filter_map(|item| reader.row(item, "", &self.steps, &[])).collect();
         if columns.is_empty() {
             return out;
         }

@@ -22,7 +22,7 @@ const STATE: &[Item<SupportedState>] = {
     const SHAPE: &str = "Shape";
     const TWIST: &str = "Twist";
     const LOADS: &str = "Loads and contacts";
-    const ENERGY: &str = "Energy per strand length";
+    const ENERGY: &str = "Energy of one strand, per strand length";
     const SECOND: &str = "Second variation of energy";
     &[
         item(SHAPE, "helical_angle_deg", "helical angle (lay angle)", Degrees, |s| Some(s.angle().degrees())),

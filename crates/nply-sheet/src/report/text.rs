@@ -2,9 +2,9 @@
 
 use core::fmt::Write as _;
 
-use super::column::Entry;
+use super::column::{Entry, OF_SOLID_STRANDS};
 use super::verdict::Verdicts;
-use super::{Known, Report, Section, found, margin};
+use super::{Known, Measure, Report, Section, found, margin};
 use crate::preferred::six_digits;
 use crate::{Case, PreferredUnits};
 use nply::Handedness;
@@ -79,18 +79,28 @@ impl Report {
             return Vec::new();
         }
         let entries = self.entries();
-        let shown = entries.iter().filter(|entry| entry.section == section && !entry.label.is_empty());
-        shown.filter_map(|entry| self.row(entry)).collect()
+        let shown: Vec<&Entry> =
+            entries.iter().filter(|entry| entry.section == section && !entry.label.is_empty()).collect();
+        let sizes: Vec<(Measure, f64)> = shown.iter().map(|entry| (entry.measure, largest(&entry.values))).collect();
+        shown
+            .iter()
+            .zip(&sizes)
+            .filter_map(|(entry, (measure, own))| self.row(entry, measure.size_among(*own, &sizes)))
+            .collect()
     }
 
-    /// The row of a quantity; none for lengths per strand radius that repeat a pure number, or where no state has a value.
-    fn row(&self, entry: &Entry) -> Option<Row> {
+    /// The row of a quantity; none for lengths per strand radius that repeat a pure number, for bounds that hold for other strands, or where
+    /// no state has a value.
+    fn row(&self, entry: &Entry, size: f64) -> Option<Row> {
+        if OF_SOLID_STRANDS.contains(&entry.name) && !self.case.may_be_solid() {
+            return None;
+        }
         let repeats = matches!(entry.name, "ply_radius" | "pretwist_per_length" | "strand_twist_per_length");
         if repeats && entry.measure.si(self.known()).is_none() {
             return None;
         }
         let mark = if found(self.case.question) == Some(entry.name) { " (found)" } else { "" };
-        of_values(&format!("{}{mark}", entry.label), entry, self.known(), &self.case.units)
+        of_values(&format!("{}{mark}", entry.label), entry, self.known(), &self.case.units, size)
     }
 
     fn touch(&self, state: &Equilibrium) -> &'static str {
@@ -108,11 +118,15 @@ fn row(label: &str, unit: &str, cells: impl Iterator<Item = String>) -> Row {
     Row { label: label.to_owned(), unit: unit.to_owned(), cells: cells.collect() }
 }
 
-/// A row of values in the reader's units; none if there is no value at all.
-fn of_values(label: &str, entry: &Entry, known: Known, units: &PreferredUnits) -> Option<Row> {
+/// The largest of finite values by size; 0 where there is none.
+pub(super) fn largest(values: &[Option<f64>]) -> f64 {
+    values.iter().flatten().filter(|value| value.is_finite()).fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
+/// A row of values in the reader's units, chosen for a value of this size; none if there is no value at all.
+fn of_values(label: &str, entry: &Entry, known: Known, units: &PreferredUnits, size: f64) -> Option<Row> {
     let values = &entry.values;
-    let largest = values.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let reading = entry.measure.reading(known, units, largest);
+    let reading = entry.measure.reading(known, units, size);
     let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * reading.factor));
     values.iter().any(Option::is_some).then(|| Row {
         label: label.to_owned(),

@@ -168,9 +168,7 @@ impl WritheReport {
         let mut notes = self.set.notes.clone();
         notes.push(closing_note(&self.set));
         notes.extend(extension_note(self.question.extension, self.set.unit.as_deref()));
-        if self.found.iter().any(|found| found.link.is_some()) {
-            notes.push("The link of a closed ribbon is counted, and is the sum of its twist and writhe.".to_owned());
-        }
+        notes.extend(self.ribbon_notes());
         if let Some(tolerance) = self.question.tolerance {
             notes.push(format!(
                 "Summed by segments, far ones by expansions, to a tolerance of {tolerance:e}: --json has the share of each segment."
@@ -182,6 +180,37 @@ impl WritheReport {
              about the curve. The error is what rounding can have done."
                 .to_owned(),
         );
+        notes
+    }
+
+    /// What is to be said of ribbons: whether link is the sum of twist and writhe, and whether an edge seems to run backwards.
+    fn ribbon_notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        let linked: Vec<(&[Member], f64, i64)> = (self.set.members.chunks_exact(self.step()).zip(&self.found))
+            .filter_map(|(pair, found)| Some((pair, found.twist?.value + found.writhe, found.link?)))
+            .collect();
+        // both are integers but for rounding; the links of a curve and of the ribbon along the rungs differ where a rung goes through the curve
+        let bounds_none = |sum: f64, link: i64| (sum - link as f64).abs() > 0.5;
+        if linked.iter().any(|(_, sum, link)| !bounds_none(*sum, *link)) {
+            notes.push("The link of a closed ribbon is counted, and is the sum of its twist and writhe.".to_owned());
+        }
+        for (pair, sum, link) in linked.iter().filter(|(_, sum, link)| bounds_none(*sum, *link)) {
+            let [centre, edge] = [0, 1].map(|i| quoted(&pair[i].name));
+            notes.push(format!(
+                "{centre} and {edge} bound no ribbon: they are linked {link} times, and twist + writhe along the lines from point to point is {}, \
+                 so that some of these lines pass through {centre}. Points go together in their order.",
+                six_digits(*sum)
+            ));
+        }
+        if self.question.ribbon {
+            for pair in self.set.members.chunks_exact(2).filter(|pair| runs_backwards(&pair[0], &pair[1])) {
+                let [centre, edge] = [0, 1].map(|i| quoted(&pair[i].name));
+                notes.push(format!(
+                    "Read backwards {edge} lies far nearer to {centre}, point by point: --reverse {edge} does so, as for strands of a duplex, which run \
+                     against each other."
+                ));
+            }
+        }
         notes
     }
 
@@ -201,6 +230,8 @@ impl WritheReport {
         let mut head = ["points", "ends", "length"].map(str::to_owned).to_vec();
         head.extend(columns.iter().map(|quantity| quantity.label.to_owned()));
         let mut rows = vec![Row { label: what.to_owned(), unit: String::new(), cells: head }];
+        let mut edges =
+            self.set.members.iter().skip(1).step_by(2).take(if self.question.ribbon { self.len() } else { 0 });
         for (member, found) in self.members() {
             let mut cells =
                 vec![member.points.len().to_string(), closed(member).to_owned(), six_digits(member.length())];
@@ -209,7 +240,8 @@ impl WritheReport {
                 Some(value) if quantity.name.ends_with("error_bound") => format!("{value:.0e}"),
                 Some(value) => six_digits(value),
             }));
-            rows.push(Row { label: quoted(&member.name), unit: unit.clone(), cells });
+            let edge = edges.next().map_or_else(String::new, |edge| format!(", edge {}", quoted(&edge.name)));
+            rows.push(Row { label: format!("{}{edge}", quoted(&member.name)), unit: unit.clone(), cells });
         }
         lay_out(&mut out, &[("", rows)], &emphasis);
         for note in self.notes() {
@@ -277,6 +309,17 @@ impl WritheReport {
         }
         super::curve::csv(&rows)
     }
+}
+
+/// Whether an edge read from its last point to its first is less than half as far from its centreline, point by point.
+fn runs_backwards(centre: &Member, edge: &Member) -> bool {
+    let far = |a: &Vector, b: &Vector| {
+        let [x, y, z] = [0, 1, 2].map(|k| a[k] - b[k]);
+        libm::hypot(libm::hypot(x, y), z)
+    };
+    let as_read: f64 = centre.points.iter().zip(&edge.points).map(|(a, b)| far(a, b)).sum();
+    let backwards: f64 = centre.points.iter().zip(edge.points.iter().rev()).map(|(a, b)| far(a, b)).sum();
+    backwards < 0.5 * as_read
 }
 
 /// One number of a curve: its name in JSON and CSV, the words above its column (none: not in a reader's table).

@@ -464,7 +464,11 @@ pub(super) fn stiffness() -> Value {
         .with("greatest_stress_at", or_null(words("Where a wire is pulled most", ["outer", "inner", "all"])));
     let member = sized(member, &listed::of_member()).open();
     let lays = list(
-        "Lay lengths of the layer that have the torque factor that is wanted, longest first",
+        "Lay lengths of the layer that have the torque factor that is wanted and at which its wires fit, longest first",
+        number("A lay length", "m"),
+    );
+    let crowded = list(
+        "Lay lengths that would have it, but at which wires do not fit beside each other on what is below, longest first",
         number("A lay length", "m"),
     );
     let twist = or_null(number("Twist per wire length at which the cable asks for no moment", "rad/m"));
@@ -475,6 +479,8 @@ pub(super) fn stiffness() -> Value {
         .with("layers", list("From the inside", member))
         .may("lay_lengths_for_torque_factor", lays.clone())
         .may("lay_lengths_for_torque_factor_m", lays)
+        .may("lay_lengths_that_do_not_fit", crowded.clone())
+        .may("lay_lengths_that_do_not_fit_m", crowded)
         .may("pretwist_for_no_moment", twist.clone())
         .may("pretwist_for_no_moment_rad_per_m", twist);
     noted(sized(top, &listed::of_cable())).open()
@@ -653,9 +659,10 @@ pub(super) fn fit() -> Value {
     let estimate = Object::new("A number that was estimated")
         .with("name", text("Which"))
         .with("unit", text("Its unit"))
-        .with("value", number("The estimate", UNIT))
+        .with("value", or_null(number("The estimate; none: not determined", UNIT)))
         .with("standard_error", or_null(number("Its standard error; none: not determined", UNIT)))
-        .with("start", number("Where the search began", UNIT));
+        .with("start", number("Where the search began", UNIT))
+        .with("known_to", or_null(number("The standard error to which the start was known", UNIT)));
     let compared = Object::new("A measured number beside that of the ply")
         .with("name", text("Its column"))
         .with("measured", number("As measured", UNIT))

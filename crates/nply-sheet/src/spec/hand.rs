@@ -5,7 +5,7 @@ use nply::Handedness;
 use crate::Quantity;
 
 /// A text without its S or Z, and the hand that letter says: `470 turns/m Z`, `Z 470`, `S470 tpm`.
-pub(super) fn split(text: &str) -> (&str, Option<Handedness>) {
+pub(crate) fn split(text: &str) -> (&str, Option<Handedness>) {
     let text = text.trim();
     let letter = |c: char| match c {
         'Z' => Some(Handedness::Right),
@@ -33,7 +33,7 @@ pub(super) fn split(text: &str) -> (&str, Option<Handedness>) {
 /// The quantity with the sign of the hand: right-handed, Z, is positive.
 ///
 /// A sign that was written as well must say the same.
-pub(super) fn signed(quantity: Quantity, written: &str, hand: Option<Handedness>) -> Result<Quantity, String> {
+pub(crate) fn signed(quantity: Quantity, written: &str, hand: Option<Handedness>) -> Result<Quantity, String> {
     let Some(hand) = hand else { return Ok(quantity) };
     let sign = match written.trim_start().chars().next() {
         Some('+') => Some(Handedness::Right),

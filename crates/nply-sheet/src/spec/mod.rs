@@ -1,7 +1,7 @@
 //! What was written, and where: the same from a file as from flags.
 
 pub(crate) mod file;
-mod hand;
+pub(crate) mod hand;
 mod relative;
 pub(crate) mod sweep;
 mod toml_text;
@@ -374,14 +374,32 @@ pub(crate) fn read_text(key: &'static Key, text: &str, place: &Place) -> Result<
             QuantityError::NotANumber { .. } => ErrorKind::WrongType,
             _ => ErrorKind::Syntax,
         };
-        let wanted = match found {
-            QuantityError::NotANumber { .. } | QuantityError::Empty => {
-                Some(format!("what is wanted is {}", key.kind.wanted()))
+        let wanted = || Some(format!("what is wanted is {}", key.kind.wanted()));
+        match found {
+            // a comma in a whole number parts two of them
+            QuantityError::Comma { read } | QuantityError::List { read } if key.kind == Kind::Count => {
+                let several = if key.table == Table::Layer { ", once for each layer" } else { "" };
+                error(kind, QuantityError::List { read }.to_string()).with_help(wanted().map(|wanted| wanted + several))
             }
-            _ => None,
-        };
-        error(kind, found.to_string()).with_help(wanted)
+            // what units there are is said of this key's own
+            QuantityError::UnknownUnit { unit, nearest: None } => {
+                error(kind, format!("{unit} is no unit known here")).with_help(wanted())
+            }
+            QuantityError::NotANumber { .. } | QuantityError::Empty | QuantityError::List { .. } => {
+                error(kind, found.to_string()).with_help(wanted())
+            }
+            _ => error(kind, found.to_string()),
+        }
     })?;
+    // 90 % is 0.9
+    let quantity = match quantity {
+        Quantity::Measured { si, unit }
+            if unit.dimension() == Dimension::NUMBER && key.kind.dimension() == Some(Dimension::NUMBER) =>
+        {
+            Quantity::Bare(si)
+        }
+        other => other,
+    };
     let right = match &quantity {
         Quantity::Bare(_) => key.kind.may_be_bare(),
         Quantity::Measured { unit, .. } => {

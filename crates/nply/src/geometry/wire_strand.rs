@@ -73,10 +73,22 @@ impl WireStrand {
         self.layers.iter().map(WireLayer::metal_area).fold(PI * core * core, |sum, area| sum + area)
     }
 
-    /// [`metal_area`](Self::metal_area) over the circle that encloses the strand; 0 of nothing.
+    /// Σ n π r²: the sections of core and wires, each square to itself, as strength tables count.
+    #[must_use]
+    pub fn wire_section_area(&self) -> f64 {
+        let round = |radius: f64| PI * radius * radius;
+        let core = round(self.core_radius.unwrap_or(0.0));
+        self.layers
+            .iter()
+            .map(|layer| f64::from(layer.wires()) * round(layer.wire_radius()))
+            .fold(core, |sum, area| sum + area)
+    }
+
+    /// [`wire_section_area`](Self::wire_section_area) over the circle that encloses the strand (EN 12385-2, 3.10.1, which takes the circle of the nominal
+    /// diameter); 0 of nothing.
     #[must_use]
     pub fn fill_factor(&self) -> f64 {
         let outer = self.outer_radius();
-        if outer > 0.0 { self.metal_area() / (PI * outer * outer) } else { 0.0 }
+        if outer > 0.0 { self.wire_section_area() / (PI * outer * outer) } else { 0.0 }
     }
 }

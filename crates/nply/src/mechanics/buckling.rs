@@ -8,7 +8,8 @@ use crate::geometry::HelicalAngle;
 
 /// Bounds on the bending stiffness of the ply as a whole, in units of B.
 ///
-/// They are no estimate of the stiffness itself: friction between the strands decides where in between it lies.
+/// They are no estimate of the stiffness itself: friction between the strands decides where in between it lies. The upper one is of solid
+/// round strands. Of others, such as yarns of loose fibres or molecules, EA is not tied to B, and it bounds nothing.
 ///
 /// ```
 /// use nply::mechanics::{Load, Ply, Twist};
@@ -23,7 +24,7 @@ pub struct BendingBounds {
     /// of (t·M)²/C + (1 − (t·M)²)/B with ⟨(t·M)²⟩ = ½ sin²θ, t the tangent: Timoshenko & Gere, *Theory of Elastic Stability*,
     /// on helical springs.
     pub sliding: f64,
-    /// Strands that cannot slide, by parallel axes: nB (1 + ½(EA r²/B)ρ²) with EA r² = 4B of a solid round strand.
+    /// Solid round strands that cannot slide, by parallel axes: n (B + ½ EA R²), with EA r² = 4B of a solid round strand nB (1 + 2ρ²).
     pub locked: f64,
 }
 

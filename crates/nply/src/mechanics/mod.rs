@@ -36,7 +36,7 @@ mod twisted_strings;
 pub use balance::Balance;
 pub use batch::{Plies, States, Twists};
 pub use buckling::BendingBounds;
-pub use cable::{Cable, CableGrips, CableState, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
+pub use cable::{Cable, CableGrips, CableState, DesignedLay, Layer, LayerState, LayerSupport, LetsGo, LiftOff, Rod};
 pub use ends::{Ends, Holding};
 pub use energy::Energy;
 pub use equilibrium::Equilibrium;

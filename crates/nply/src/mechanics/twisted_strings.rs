@@ -39,6 +39,37 @@ impl TwistedStrings {
         Ok(Self { contact, rotation })
     }
 
+    /// At the angle where something that grows with the turns takes a value: a stroke, a torque, a tension; `None` where it does not up to
+    /// the [`most_turns`](Self::most_turns).
+    ///
+    /// # Errors
+    /// [`DomainError`] on `strands`.
+    ///
+    /// ```
+    /// use nply::mechanics::TwistedStrings;
+    /// let pair = TwistedStrings::reaching(2, |strings| strings.contraction(), 0.2)?.ok_or("not reached")?;
+    /// assert!((pair.extension() - 0.8).abs() < 1e-14 && (pair.rotation() - 0.6).abs() < 1e-14); // √(1 − 0.8²)
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reaching(strands: u32, of: impl Fn(&Self) -> f64, value: f64) -> Result<Option<Self>, DomainError> {
+        let most = Self::most_turns(strands)?;
+        let at = |radians: f64| {
+            let contact = Contact::at_angle(strands, HelicalAngle::new(radians)?)?;
+            Ok::<_, DomainError>(Self { contact, rotation: contact.angle().sin() / contact.radius_ratio() })
+        };
+        let (mut low, mut high) = (0.0, most.contact().helical_angle());
+        if !(of(&Self::new(strands, 0.0)?) <= value && value <= of(&most)) {
+            return Ok(None);
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if !(low < middle && middle < high) {
+                return at(high).map(Some);
+            }
+            if of(&at(middle)?) < value { low = middle } else { high = middle }
+        }
+    }
+
     /// As far as they can be turned: the greatest sin θ/ρ (q = 1), where the moment is without bound.
     ///
     /// ```

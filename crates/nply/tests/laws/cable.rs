@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use nply::Handedness;
-use nply::geometry::{Contact, HelicalAngle, WireLay};
+use nply::geometry::{Contact, HelicalAngle, WireLay, WireLayer};
 use nply::mechanics::{
     Axial, Cable, CableGrips, CableState, ExtensiblePly, FormedLay, Grips, Layer, LayerSupport, Rod, StretchingStrand,
     Support, Turning, Twist, WorkingCore,
@@ -70,7 +70,7 @@ proptest! {
             }
         }
         let [force, moment] = carried(&state);
-        let size = 1e-11 * (1.0 + state.force().abs() + state.moment().abs()) * cable.metal_area() * 100.0;
+        let size = 1e-11 * (1.0 + state.force().abs() + state.moment().abs()) * cable.wire_section_area() * 100.0;
         prop_assert!((force - state.force()).abs() < size && (moment - state.moment()).abs() < size);
     }
 
@@ -137,7 +137,7 @@ proptest! {
     #[test]
     fn loads_are_met((core, layers) in any_cable(), pull in 0.0..0.005) {
         let Some(cable) = made(core, &layers) else { return Ok(()) };
-        let force = pull * 100.0 * cable.metal_area();
+        let force = pull * 100.0 * cable.wire_section_area();
         let ends = [CableGrips::Turned { force, turning: 0.0 }, CableGrips::Loads { force, moment: 0.0 }];
         for (free, grips) in ends.into_iter().enumerate() {
             match cable.loaded(grips) {
@@ -365,7 +365,7 @@ fn shared_loads_hold_the_least_energy() {
         let Ok(cable) = Cable::new(Some(Rod::solid_round(king, 100.0, 0.45).unwrap()), &layers) else {
             panic!("{king}")
         };
-        let ea = 100.0 * cable.metal_area();
+        let ea = 100.0 * cable.wire_section_area();
         for (i, turned) in (0..320).flat_map(|i| [(i, false), (i, true)]) {
             let force = ea * 1e-3 * f64::from(i);
             let moment = if two { -0.3 } else { -1.0 } * force;
@@ -437,4 +437,120 @@ fn one_layer_that_shares_is_a_ply() {
         close(one.interstrand_pressure * laid.angle.cos(), twin.interstrand_pressure(), "pressure between neighbours");
     }
     assert!(met > 3, "{met}");
+}
+
+/// A lay at which the torque factor is as wanted fits where the wires leave a gap on what is below, told by their distance in space alone.
+#[test]
+fn a_balanced_lay_says_whether_it_fits() {
+    let wire = |radius: f64| Rod::solid_round(radius, 200e3, 0.3).unwrap();
+    let layer = |strands, handedness, lay_length| Layer {
+        strands,
+        rod: wire(1.0),
+        handedness,
+        lay: WireLay::Length(lay_length),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
+    let inner = layer(6, Handedness::Left, 60.0);
+    let cable = Cable::new(Some(wire(1.05)), &[inner, layer(12, Handedness::Right, 110.0)]).unwrap();
+    let lays = cable.lays_for_torque_factor(1, 0.0).unwrap();
+    assert!(lays.iter().any(|lay| lay.fits) && lays.iter().any(|lay| !lay.fits), "{lays:?}");
+    for lay in &lays {
+        assert!(lay.laid.torque_factor().unwrap().abs() < 1e-12);
+        let drawn = WireLayer::on_core(12, 1.0, 3.05, WireLay::Length(lay.lay_length)).unwrap();
+        assert_eq!(lay.fits, drawn.gap() >= 0.0, "{}", lay.lay_length);
+        assert!(lay.fits == (lay.laid.layers()[1].radius < 4.05 + 1e-9));
+    }
+}
+
+/// Where rods resist nothing but stretch and keep their thickness, a layer's force is n T cos θ; a strand's tension and twist in a rope hold the
+/// strand alone in the same strain.
+#[test]
+fn tension_of_one_rod() {
+    let string = Rod::new(1.0, 100.0, 1e-12, 1e-12, 0.0).unwrap();
+    let six = |rod, handedness, lay| Layer {
+        strands: 6,
+        rod,
+        handedness,
+        lay: WireLay::Length(lay),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
+    let cable = Cable::new(Some(Rod::new(1.1, 1.0, 1.0, 1.0, 0.0).unwrap()), &[six(string, Handedness::Left, 60.0)]);
+    let state = cable.unwrap().loaded(clamped(0.004, 0.01)).unwrap();
+    let layer = state.layers()[0];
+    assert_eq!(layer.support, LayerSupport::Below);
+    assert!((6.0 * layer.tension() * layer.angle.cos() / layer.force - 1.0).abs() < 1e-9);
+
+    let wire = Rod::solid_round(0.5, 200e3, 0.3).unwrap();
+    let strand = Cable::new(Some(Rod::solid_round(0.53, 200e3, 0.3).unwrap()), &[six(wire, Handedness::Left, 25.0)]);
+    let strand = strand.unwrap();
+    let rod = strand.as_rod().unwrap();
+    let core = Rod::new(1.7, 1e3, 1e3, 1e3, 0.0).unwrap();
+    let rope = Cable::new(Some(core), &[six(rod, Handedness::Right, 70.0)]).unwrap();
+    let small = rope.loaded(clamped(1e-5, -1e-5)).unwrap().layers()[0];
+    let alone = CableGrips::Turned { force: small.tension(), turning: small.twist() };
+    let alone = strand.loaded(alone).unwrap();
+    assert!((alone.strain() / small.strain - 1.0).abs() < 1e-4, "{} {}", alone.strain(), small.strain);
+    assert!(small.twist() != 0.0);
+}
+
+/// How much a core gives against the same by hand, for strings on it: p from T κ, the core's radius from Lamé (plane strain), and no more.
+#[test]
+fn what_a_soft_core_gives() {
+    let (n, lay, r, core, axial) = (6.0, 75.0, 1.9, 2.1, 1.5e6);
+    let layer = Layer {
+        strands: 6,
+        rod: Rod::new(r, axial, 1e-6, 1e-6, 0.0).unwrap(),
+        handedness: Handedness::Right,
+        lay: WireLay::Length(lay),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
+    let on = |radius: f64, modulus: f64, nu: f64| {
+        Cable::new(Some(Rod::solid_round(radius, modulus, nu).unwrap()), &[layer]).unwrap()
+    };
+    let radius = r + core;
+    let tan: f64 = TAU * radius / lay;
+    let (cos2, sin2) = (1.0 / (1.0 + tan * tan), tan * tan / (1.0 + tan * tan));
+    let by_hand = |modulus: f64, nu: f64| {
+        // per strain of the cable, the core thinning as it is stretched
+        let tension = axial * (cos2 - nu * core / radius * sin2);
+        // Tκ per rod length, which is 1/cos θ per cable length
+        let pressure = n * tension * sin2 / radius / cos2.sqrt() / (TAU * core);
+        (1.0 + nu) * (1.0 - 2.0 * nu) * pressure / modulus * core / radius * tan * tan
+    };
+    for (modulus, nu) in [(500.0, 0.0), (1500.0, 0.0), (500.0, 0.3)] {
+        let give = on(core, modulus, nu).core_give().unwrap();
+        assert!((give / by_hand(modulus, nu) - 1.0).abs() < 1e-4, "{give} {}", by_hand(modulus, nu));
+    }
+    assert!(on(core, 500.0, 0.0).core_give().unwrap() > 1.0);
+    // strands that carry each other do not lie on it
+    assert_eq!(on(1.0, 1.0, 0.0).core_give(), None);
+}
+
+/// What a core of fibre is left out of, and how strengths add up: by hand.
+#[test]
+fn metallic_section_and_breaking_load() {
+    let wire =
+        |radius: f64, strength: f64| Rod::solid_round(radius, 200e3, 0.3).unwrap().of_strength(strength).unwrap();
+    let six = |rod, lay| Layer {
+        strands: 6,
+        rod,
+        handedness: Handedness::Left,
+        lay: WireLay::Length(lay),
+        preforming: 1.0,
+        pretwist: 0.0,
+    };
+    let strand = Cable::new(Some(wire(0.65, 1770.0)), &[six(wire(0.625, 1960.0), 32.0)]).unwrap();
+    let pi = std::f64::consts::PI;
+    let (area, load) =
+        (pi * (0.65 * 0.65 + 6.0 * 0.625 * 0.625), pi * (0.65 * 0.65 * 1770.0 + 6.0 * 0.625 * 0.625 * 1960.0));
+    let fibre = Rod::solid_round(2.1, 500.0, 0.0).unwrap();
+    let rope = |core| Cable::new(Some(core), &[six(strand.as_rod().unwrap(), 75.0)]).unwrap();
+    let on_fibre = rope(fibre.uncounted());
+    assert!((on_fibre.wire_section_area() / (6.0 * area) - 1.0).abs() < 1e-12);
+    assert!((on_fibre.metallic_breaking_load().unwrap() / (6.0 * load) - 1.0).abs() < 1e-12);
+    // a core that counts, of no known strength
+    assert_eq!(rope(fibre).metallic_breaking_load(), None);
 }

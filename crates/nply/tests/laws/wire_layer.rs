@@ -243,7 +243,8 @@ fn layers_on_layers() {
     }
     assert_eq!(strand.outer_radius(), below);
     assert!((strand.metal_area() - area).abs() < 1e-12);
-    assert!((strand.fill_factor() - area / (PI * below * below)).abs() < 1e-15);
+    // the standard's fill factor: 37 sections across each wire over the circle round them
+    assert!((strand.fill_factor() - 37.0 / (below * below)).abs() < 1e-15);
     // six on one alike overlap; twelve on seven, and eighteen on nineteen have room: 2R sin(π/12) is 2.07 wire diameters at R = 4
     let contacts: Vec<_> = strand.layers().iter().map(WireLayer::contact).collect();
     assert_eq!(contacts, [LayerContact::Neighbours, LayerContact::Core, LayerContact::Core]);

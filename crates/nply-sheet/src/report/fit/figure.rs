@@ -75,9 +75,9 @@ const STRAND: &str = "The strand";
 #[rustfmt::skip] // a table: one row a line
 pub(super) static OF_WHOLE: [Figure<Fit>; 7] = [
     figure(STRAND, "strand_outer_diameter", "outer diameter", Sort::Length, |w| Some(2.0 * w.strand.outer_radius())),
-    figure(STRAND, "metal_area", "sections in a plane across, core too", Sort::Area, |w| Some(metal_area(w))),
-    figure(STRAND, "wire_section_area", "sections across each wire, core too", Sort::Area, |w| Some(section_area(w))),
-    figure(STRAND, "fill_factor", "fill factor (of the enclosing circle)", Sort::Number, |w| Some(metal_area(w) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
+    figure(STRAND, "metal_area", "sections in a plane across, the core's too unless of fibre", Sort::Area, |w| Some(metal_area(w))),
+    figure(STRAND, "wire_section_area", "sections across each wire, the core's too unless of fibre", Sort::Area, |w| Some(section_area(w))),
+    figure(STRAND, "fill_factor", "fill factor: sections across each wire/enclosing circle", Sort::Number, |w| Some(section_area(w) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
     figure(STRAND, "mass_per_length", "mass per length", Sort::LinearDensity, |w| mass(w, w.strand.layers(), WireLayer::taken_angle)),
     figure(STRAND, "nominal_outer_diameter", "outer diameter, sum of diameters", Sort::Length, |w| w.nominal.last().map(|l| 2.0 * (l.lay_radius() + l.wire_radius()))),
     figure(STRAND, "nominal_mass_per_length", "mass per length, on sums of diameters", Sort::LinearDensity, |w| mass(w, &w.nominal, WireLayer::angle)),
@@ -100,7 +100,7 @@ fn section_area(fit: &Fit) -> f64 {
 }
 
 fn core_area(fit: &Fit) -> f64 {
-    fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * solid_share(core.strand.as_deref()))
+    fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * core.metal_share())
 }
 
 /// How much of its outline is wire; 1 of a wire.

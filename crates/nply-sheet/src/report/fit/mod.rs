@@ -60,6 +60,16 @@ fn unit(fit: &Fit) -> Option<Unit> {
     fit.measured.then(|| fit.units.unit(Dimension::LENGTH, fit.strand.outer_radius()))
 }
 
+/// Whether every layer is of strands: a rope.
+fn is_rope(fit: &Fit) -> bool {
+    fit.layers.iter().all(|given| given.strand.is_some())
+}
+
+/// What a layer is of.
+fn rods(fit: &Fit) -> &'static str {
+    if is_rope(fit) { "strands" } else { "wires" }
+}
+
 /// Whether the strand has a core.
 fn is_cored(fit: &Fit) -> bool {
     fit.core().is_some()
@@ -84,6 +94,7 @@ fn notes(fit: &Fit) -> Vec<String> {
         None => six_digits(value),
     };
     let several = fit.strand.layers().len() > 1;
+    let rods = rods(fit);
     let mut notes = Vec::new();
     for (at, layer) in fit.strand.layers().iter().enumerate() {
         let which = if several { format!("In layer {} the", at + 1) } else { "The".to_owned() };
@@ -100,13 +111,14 @@ fn notes(fit: &Fit) -> Vec<String> {
             continue;
         }
         notes.push(format!(
-            "{which} {} wires do not fit beside each other on the {below}: laid on it they would overlap by {}. They touch each other \
-             instead, at a lay radius of {}, and leave the {below} loose by {} all round. Wires thinner by {}, or a {below} of {}, would fit at \
+            "{which} {} {rods} do not fit beside each other on the {below}: laid on it they would overlap by {}. They touch each other \
+             instead, at a lay radius of {}, and leave the {below} loose by {} all round. {} thinner by {}, or a {below} of {}, would fit at \
              this lay length.",
             layer.wires(),
             length(-layer.gap()),
             length(layer.touching_radius()),
             length(layer.core_gap()),
+            if is_rope(fit) { "Strands" } else { "Wires" },
             length(thinner(layer)),
             length(2.0 * layer.king_wire_radius()),
         ));
@@ -116,6 +128,12 @@ fn notes(fit: &Fit) -> Vec<String> {
             let plural = if named.len() > 1 { "s see" } else { " sees" };
             notes.push(format!("{which} {} formula{plural} no overlap there.", named.join(" and the ")));
         }
+    }
+    for (at, strand) in fit.layers.iter().enumerate().filter_map(|(at, given)| Some((at, given.strand.as_ref()?))) {
+        notes.extend(strand.crowded(&format!("the strands of layer {}", at + 1), &length));
+    }
+    if let Some(strand) = fit.core().and_then(|core| core.strand) {
+        notes.extend(strand.crowded("the core", &length));
     }
     if fit.layers.iter().all(|given| given.stuff.density.is_some())
         && fit.core().is_some_and(|core| core.density.is_none())

@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use nply::geometry::LayerContact;
 
 use super::figure::{Figure, OF_FORMULAS, OF_LAYER, OF_WHOLE, OfLayer, Sort};
-use super::{FitReport, is_cored};
+use super::{FitReport, is_cored, is_rope, rods};
 use crate::preferred::six_digits;
 use crate::report::item::words;
 use crate::report::text::{Emphasis, Row, hand, lay_out};
@@ -28,8 +28,12 @@ impl FitReport {
             head.push(words("hand", layers.iter().map(|layer| layer.given.hand.map_or("–", hand))));
         }
         let wires: Vec<String> = layers.iter().map(|layer| layer.laid.wires().to_string()).collect();
-        head.push(words("wires", wires.iter().map(String::as_str)));
-        head.push(words("wires lie on", layers.iter().enumerate().map(|(at, layer)| self.lies_on(at, layer))));
+        let rods = rods(&self.fit);
+        head.push(words(rods, wires.iter().map(String::as_str)));
+        head.push(words(
+            if is_rope(&self.fit) { "strands lie on" } else { "wires lie on" },
+            layers.iter().enumerate().map(|(at, layer)| self.lies_on(at, layer)),
+        ));
         let mut parts = vec![("", head)];
         let laid_on_something = layers.iter().any(|layer| layer.laid.core_radius() > 0.0);
         for figure in OF_LAYER.iter().chain(&OF_FORMULAS).filter(|figure| !figure.label.is_empty()) {
@@ -59,7 +63,7 @@ impl FitReport {
         let title = fit.title.as_ref().map_or(String::new(), |title| format!("{}: ", plain(title)));
         let core = if is_cored(fit) { "1 + " } else { "" };
         let wires: Vec<String> = fit.strand.layers().iter().map(|layer| layer.wires().to_string()).collect();
-        format!("{title}{core}{} wires", wires.join(" + "))
+        format!("{title}{core}{} {}", wires.join(" + "), rods(fit))
     }
 
     fn lies_on(&self, at: usize, layer: &OfLayer) -> &'static str {
@@ -69,6 +73,16 @@ impl FitReport {
             LayerContact::Neighbours => "each other",
             LayerContact::Both if at == 0 => "core and each other",
             LayerContact::Both => "both",
+        }
+    }
+
+    /// What a figure is called: of a rope, whose rods are strands, as ropemakers say.
+    fn label<T>(&self, figure: &Figure<T>) -> &'static str {
+        match figure.name {
+            "wire_diameter" if is_rope(&self.fit) => "strand diameter",
+            "wire_length_ratio" if is_rope(&self.fit) => "strand length/rope length",
+            "layer_mass_per_length" if is_rope(&self.fit) => "mass per rope length",
+            _ => figure.label,
         }
     }
 
@@ -87,8 +101,11 @@ impl FitReport {
         };
         let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(number(v) + 0.0));
         let mark = if self.fit.found.contains(&figure.name) { " (found)" } else { "" };
-        let row =
-            Row { label: format!("{}{mark}", figure.label), unit: name, cells: values.iter().map(cell).collect() };
+        let row = Row {
+            label: format!("{}{mark}", self.label(figure)),
+            unit: name,
+            cells: values.iter().map(cell).collect(),
+        };
         match parts.last_mut() {
             Some((heading, rows)) if *heading == figure.heading => rows.push(row),
             _ => parts.push((figure.heading, vec![row])),

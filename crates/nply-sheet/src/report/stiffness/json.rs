@@ -38,8 +38,12 @@ impl StiffnessReport {
         let cored = self.state.cable().core().is_some();
         top.insert("core".into(), json!(if cored { members.first() } else { None }));
         top.insert("layers".into(), json!(members.iter().skip(usize::from(cored)).collect::<Vec<_>>()));
-        if let Some(lays) = &self.lay_lengths {
-            top.insert(self.name("lay_lengths_for_torque_factor", Sort::Of(Dimension::LENGTH)), json!(lays));
+        if let Some(lays) = &self.lays {
+            let of =
+                |fits: bool| lays.iter().filter(|lay| lay.fits == fits).map(|lay| lay.lay_length).collect::<Vec<f64>>();
+            for (name, fits) in [("lay_lengths_for_torque_factor", true), ("lay_lengths_that_do_not_fit", false)] {
+                top.insert(self.name(name, Sort::Of(Dimension::LENGTH)), json!(of(fits)));
+            }
         }
         if let Some(pretwist) = self.pretwist {
             top.insert(self.name("pretwist_for_no_moment", Sort::Of(Dimension::ANGLE_PER_LENGTH)), json!(pretwist));

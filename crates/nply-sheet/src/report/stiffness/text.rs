@@ -3,10 +3,10 @@
 use core::fmt::Write as _;
 
 use super::StiffnessReport;
-use super::figure::{Figure, OF_CABLE, OF_MEMBER, Sort};
+use super::figure::{Figure, OF_CABLE, OF_MEMBER, SMALL, Sort};
 use crate::preferred::six_digits;
 use crate::report::item::words;
-use crate::report::text::{Emphasis, Row, hand, lay_out};
+use crate::report::text::{Emphasis, Row, hand, largest, lay_out};
 use crate::{Dimension, Unit};
 
 impl StiffnessReport {
@@ -18,7 +18,7 @@ impl StiffnessReport {
         let _ = writeln!(out, "{}", emphasis.heading(&self.headline()));
         let mut parts: Vec<(&str, Vec<Row>)> = Vec::new();
         for figure in &OF_CABLE {
-            self.put(&mut parts, figure, core::slice::from_ref(&self.state));
+            self.put(&mut parts, figure, &OF_CABLE, core::slice::from_ref(&self.state));
         }
         lay_out(&mut out, &parts, &emphasis);
         let members = self.members();
@@ -57,7 +57,7 @@ impl StiffnessReport {
         ];
         let mut parts = vec![("", head)];
         for figure in OF_MEMBER.iter().filter(|figure| !figure.label.is_empty()) {
-            self.put(&mut parts, figure, &members);
+            self.put(&mut parts, figure, &OF_MEMBER, &members);
         }
         lay_out(&mut out, &parts, &emphasis);
         for note in &self.notes {
@@ -76,24 +76,36 @@ impl StiffnessReport {
         format!("{title}{core}{} {rods}", layers.join(" + "))
     }
 
-    /// A row below its heading; what nobody has a value of is left out.
-    fn put<T>(&self, parts: &mut Vec<(&'static str, Vec<Row>)>, figure: &Figure<T>, all: &[T]) {
-        let values: Vec<Option<f64>> = all.iter().map(|of| (figure.value)(of)).collect();
+    /// A row below its heading, in one unit with the others of its sort there; what nobody has a value of is left out.
+    fn put<T>(&self, parts: &mut Vec<(&'static str, Vec<Row>)>, figure: &Figure<T>, figures: &[Figure<T>], all: &[T]) {
+        let values_of = |figure: &Figure<T>| -> Vec<Option<f64>> { all.iter().map(|of| (figure.value)(of)).collect() };
+        let values = values_of(figure);
         if values.iter().all(Option::is_none) {
             return;
         }
-        let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let (unit, factor) = self.reading(figure.sort, largest);
+        // lengths, from a gap to a diameter, are each read by themselves; one that is zero goes with the others
+        let own = largest(&values);
+        let size = if figure.sort == Sort::Of(Dimension::LENGTH) && own > 0.0 {
+            own
+        } else {
+            let beside = figures.iter().filter(|other| (other.heading, other.sort) == (figure.heading, figure.sort));
+            beside.map(|other| largest(&values_of(other))).fold(0.0, f64::max)
+        };
+        let (unit, factor) = self.reading(figure.sort, size, figure.heading == SMALL);
         let cell = |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |v| six_digits(v * factor + 0.0));
-        let row = Row { label: figure.label.to_owned(), unit, cells: values.iter().map(cell).collect() };
+        let label = match self.is_rope() {
+            true => figure.label.replace("a wire", "a strand"),
+            false => figure.label.to_owned(),
+        };
+        let row = Row { label, unit, cells: values.iter().map(cell).collect() };
         match parts.last_mut() {
             Some((heading, rows)) if *heading == figure.heading => rows.push(row),
             _ => parts.push((figure.heading, vec![row])),
         }
     }
 
-    /// The name of the unit a reader finds, and what a value is multiplied by.
-    fn reading(&self, sort: Sort, largest: f64) -> (String, f64) {
+    /// The name of the unit a reader finds, and what a value is multiplied by. A stiffness is the cable's own: the unit of a load does not change it.
+    fn reading(&self, sort: Sort, largest: f64, stiffness: bool) -> (String, f64) {
         let construction = &self.case.construction;
         // nothing is told in the unit that one would be
         let unit = |dimension, si: f64| construction.units.unit(dimension, if si == 0.0 { 1.0 } else { si });
@@ -109,7 +121,11 @@ impl StiffnessReport {
             }
             Sort::Stress => ("MPa".to_owned(), 1e-6),
             Sort::Of(dimension) => {
-                let unit = unit(dimension, largest);
+                let unit = if stiffness {
+                    construction.units.unit_by_size(dimension, largest)
+                } else {
+                    unit(dimension, largest)
+                };
                 (unit.to_string(), unit.of_si(1.0))
             }
             Sort::Unlay => {

@@ -171,17 +171,26 @@ impl<S: Stop> Walked<S> {
     }
 }
 
-/// The numbers of a column; what is nothing beside the largest of them is 0, as where a contact opens or strands run straight.
+/// The numbers of a column; what is nothing beside the largest of them is 0, as where a contact opens or strands run straight. A walk ends
+/// just before flat rings: what is there beyond all the others, or nothing beside them, is on its way to ∞ or to 0.
 fn column<S: Stop>(item: &Item<S>, reader: &Reader<'_>, all: &[S]) -> Option<Row> {
     const NOTHING: f64 = 1e-13;
-    let mut row = reader.row(item, "", all)?;
-    // a radius is never nothing, however far free helices open
-    if item.measure == Measure::Number {
-        return Some(row);
-    }
-    let largest = all.iter().filter_map(|station| item.of(station)).fold(0.0, |most: f64, v| most.max(v.abs()));
+    const NEXT_TO_RINGS: f64 = 1e-7;
+    let mut row = reader.row(item, "", all, &[])?;
+    let largest = |of: &dyn Fn(&S) -> bool| {
+        all.iter().filter(|s| of(s)).filter_map(|s| item.of(s)).fold(0.0, |most: f64, v| most.max(v.abs()))
+    };
+    let flat = |station: &S| station.lay_angle().pitch_angle() < NEXT_TO_RINGS;
+    let (of_all, of_others) = (largest(&|_| true), largest(&|station| !flat(station)));
     for (cell, station) in row.cells.iter_mut().zip(all) {
-        if item.of(station).is_some_and(|value| value.abs() < NOTHING * largest) {
+        let Some(value) = item.of(station) else { continue };
+        let size = value.abs();
+        if flat(station) && of_others > 0.0 && size > of_others / NEXT_TO_RINGS {
+            if value < 0.0 { "-∞" } else { "∞" }.clone_into(cell);
+        } else if flat(station) && size < NEXT_TO_RINGS * of_others
+            // a radius is never nothing, however far free helices open
+            || item.measure != Measure::Number && size < NOTHING * of_all
+        {
             "0".clone_into(cell);
         }
     }

@@ -2,13 +2,26 @@
 
 use core::f64::consts::TAU;
 
-use super::{Cable, Layer};
+use super::{Cable, CableState, Layer, LayerSupport};
 use crate::DomainError;
 use crate::geometry::WireLay;
 
+/// A lay that a layer could have, and what the cable is then.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DesignedLay {
+    /// Of the layer that gives way.
+    pub lay_length: f64,
+    /// The cable laid so, free of load.
+    pub laid: CableState,
+    /// Whether that layer, and every one above it, lies on what is below. Where one does not, its rods would overlap there and carry each other
+    /// instead, about something loose: a balance on paper, and no cable that a machine lays.
+    pub fits: bool,
+}
+
 impl Cable {
-    /// Lay lengths of one layer (0 the innermost) at which the cable has a wanted torque factor as laid (0: a pull asks for no moment), longest
-    /// first; layers above are laid on what that layer becomes. Empty where no lay does.
+    /// Lays of one layer (0 the innermost) at which the cable has a wanted torque factor as laid (0: a pull asks for no moment), longest
+    /// first; layers above are laid on what that layer becomes. Empty where no lay does. Of each is told whether it [fits](DesignedLay::fits).
     ///
     /// Lays are looked at from 1000 outer diameters down to the shortest the layer can have, in 400 steps of equal ratio of tan θ; two lays
     /// closer to each other than that may be missed together.
@@ -30,19 +43,20 @@ impl Cable {
     /// };
     /// let king = Rod::solid_round(1.05, 200e3, 0.3)?;
     /// let cable = Cable::new(Some(king), &[layer(6, Handedness::Left, 60.0), layer(12, Handedness::Right, 60.0)])?;
-    /// let lays = cable.lay_lengths_for_torque_factor(1, 0.0)?;
-    /// let balanced = Cable::new(Some(king), &[layer(6, Handedness::Left, 60.0), layer(12, Handedness::Right, lays[0])])?;
-    /// assert!(balanced.laid()?.torque_factor().is_some_and(|factor| factor.abs() < 1e-12));
+    /// let lays = cable.lays_for_torque_factor(1, 0.0)?;
+    /// assert!(lays[0].laid.torque_factor().is_some_and(|factor| factor.abs() < 1e-12));
+    /// assert!(lays[0].fits && !lays[1].fits); // the second is so steep that twelve wires do not go round
     /// # Ok::<(), nply::DomainError>(())
     /// ```
-    pub fn lay_lengths_for_torque_factor(&self, layer: usize, torque_factor: f64) -> Result<Vec<f64>, DomainError> {
+    pub fn lays_for_torque_factor(&self, layer: usize, torque_factor: f64) -> Result<Vec<DesignedLay>, DomainError> {
         DomainError::check(torque_factor.is_finite(), "torque_factor", torque_factor, "finite")?;
         let laid = self.layer(layer)?;
         let outer = 2.0 * self.outer_radius();
-        let excess = |lay_length: f64| {
+        let laid_at = |lay_length: f64| {
             let cable = self.with_layer(layer, Layer { lay: WireLay::Length(lay_length), ..laid })?;
-            Some(cable.laid().ok()?.torque_factor()? - torque_factor)
+            cable.laid().ok()
         };
+        let excess = |lay_length: f64| Some(laid_at(lay_length)?.torque_factor()? - torque_factor);
         const STEPS: i32 = 400;
         let (long, short) = (1e3 * outer, 2.0 * f64::from(laid.strands) * laid.rod.radius());
         let ratio = libm::exp(libm::log(short / long) / f64::from(STEPS));
@@ -54,7 +68,14 @@ impl Cable {
             if let (Some((above, a)), Some((below, b))) = (before, here)
                 && (a > 0.0) != (b > 0.0)
             {
-                found.push(halved(above, below, a > 0.0, &excess));
+                let lay_length = halved(above, below, a > 0.0, &excess);
+                // the factor jumps where a layer leaves what is below: a change of sign there is no root
+                if excess(lay_length).is_some_and(|rest| rest.abs() <= 1e-6 * (a - b).abs())
+                    && let Some(laid) = laid_at(lay_length)
+                {
+                    let fits = laid.lies_from(layer);
+                    found.push(DesignedLay { lay_length, laid, fits });
+                }
             }
             before = here;
             lay_length *= ratio;
@@ -114,6 +135,15 @@ impl Cable {
         self.layer(layer)?;
         let laid = &self.layers[layer];
         Ok(TAU * laid.radius / laid.angle.tan())
+    }
+}
+
+impl CableState {
+    /// Whether a layer (0 the innermost) and all above it lie on what is below; the innermost may have nothing below.
+    fn lies_from(&self, layer: usize) -> bool {
+        let cored = self.cable().core().is_some();
+        let lies = |at: usize, support| support != LayerSupport::Neighbours || (at == 0 && !cored);
+        self.layers().iter().enumerate().skip(layer).all(|(at, layer)| lies(at, layer.support))
     }
 }
 

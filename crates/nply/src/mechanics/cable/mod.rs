@@ -8,6 +8,7 @@ mod rod;
 mod shared;
 mod state;
 
+pub use design::DesignedLay;
 pub use layer::{Layer, LayerSupport};
 pub use lift::{LetsGo, LiftOff};
 pub use rod::Rod;
@@ -39,7 +40,7 @@ use layer::Laid;
 /// };
 /// let strand = Cable::new(Some(Rod::solid_round(2.6, 200e3, 0.3)?), &[six])?;
 /// let stiffness = strand.laid()?.stiffness().expect("it resists");
-/// let sum = 200e3 * strand.metal_area();
+/// let sum = 200e3 * strand.wire_section_area();
 /// assert!(stiffness.axial < sum && stiffness.axial > 0.95 * sum && stiffness.coupling < 0.0); // left-handed
 /// # Ok::<(), nply::DomainError>(())
 /// ```
@@ -86,11 +87,76 @@ impl Cable {
         self.layers.last().map_or(0.0, |laid| laid.radius + laid.layer.rod.radius())
     }
 
-    /// Sections of all wires, each square to itself: the area on which nominal stresses are based.
+    /// Σ n π r²: sections of all wires, each square to itself, and of a core that counts as one: the area on which nominal stresses, modulus and
+    /// breaking load are based. A core of fibre is [left out](Rod::uncounted).
     #[must_use]
-    pub fn metal_area(&self) -> f64 {
+    pub fn wire_section_area(&self) -> f64 {
         let layers = self.layers.iter().map(|laid| f64::from(laid.layer.strands) * laid.layer.rod.area());
         self.core.map_or(0.0, Rod::area) + layers.sum::<f64>()
+    }
+
+    /// Σ tensile strength × section of all wires, and of a core that counts as one: the metallic (aggregate) breaking load of ropemakers, who take
+    /// a loss for laying off it. `None` unless the strength of every one is known.
+    ///
+    /// ```
+    /// use nply::mechanics::{Cable, Layer, Rod};
+    /// use nply::{Handedness, geometry::WireLay};
+    /// // six wires of 2 mm on one of 2.1 mm, all of 1770 N/mm²
+    /// let wire = |radius: f64| Rod::solid_round(radius, 200e3, 0.3)?.of_strength(1770.0);
+    /// let six = Layer {
+    ///     strands: 6,
+    ///     rod: wire(1.0)?,
+    ///     handedness: Handedness::Left,
+    ///     lay: WireLay::Length(60.0),
+    ///     preforming: 1.0,
+    ///     pretwist: 0.0,
+    /// };
+    /// let strand = Cable::new(Some(wire(1.05)?), &[six])?;
+    /// let load = strand.metallic_breaking_load().expect("all strengths are known");
+    /// assert!((load - 1770.0 * strand.wire_section_area()).abs() < 1e-9 * load);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn metallic_breaking_load(&self) -> Option<f64> {
+        let core = self.core.filter(|core| core.area() > 0.0);
+        let core = core.map_or(Some(0.0), Rod::breaking_load)?;
+        let of_layer = |laid: &Laid| Some(f64::from(laid.layer.strands) * laid.layer.rod.breaking_load()?);
+        self.layers.iter().try_fold(core, |sum, laid| Some(sum + of_layer(laid)?))
+    }
+
+    /// By how much of its own strain, to first order and for small pulls, the innermost layer would be strained less if the core gave way as a solid
+    /// of its Young's modulus: in what is reported of a cable the core thins as it is stretched, and keeps its outline whatever presses on it.
+    ///
+    /// A layer that lies on the core is strained by ε cos²θ + (ΔR/R) sin²θ. A core of radius r_c, under the mean pressure p that the layers put on it
+    /// at the strain ε, gives way by r_c (1 + ν)(1 − 2ν) p/E (Lamé, its length held), which is (r_c/R) tan²θ (1 + ν)(1 − 2ν) p/(E ε) of it. Next to
+    /// nothing for a steel wire; above 1 the layer does not lie on such a core at all, but sinks until its rods carry each other.
+    /// `None` without a solid core, and where nothing lies on it.
+    ///
+    /// ```
+    /// use nply::mechanics::{Cable, Layer, Rod};
+    /// use nply::{Handedness, geometry::WireLay};
+    /// let six = Layer {
+    ///     strands: 6,
+    ///     rod: Rod::solid_round(1.0, 200e3, 0.3)?,
+    ///     handedness: Handedness::Right,
+    ///     lay: WireLay::Length(40.0),
+    ///     preforming: 1.0,
+    ///     pretwist: 0.0,
+    /// };
+    /// let on = |modulus: f64| Cable::new(Some(Rod::solid_round(1.1, modulus, 0.0)?), &[six]);
+    /// assert!(on(200e3)?.core_give().is_some_and(|give| give < 0.01)); // a king wire of steel
+    /// assert!(on(500.0)?.core_give().is_some_and(|give| give > 1.0)); // a core of fibre
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn core_give(&self) -> Option<f64> {
+        const STRAIN: f64 = 1e-6;
+        let at = |strain| self.loaded(CableGrips::Clamped { strain, turning: 0.0 }).ok();
+        let (laid, pulled) = (at(0.0)?, at(STRAIN)?);
+        let [core, first] = [self.core?.radius(), self.layers.first()?.radius];
+        let tan = self.layers.first()?.angle.tan();
+        let squeeze = (pulled.core_squeeze()? - laid.core_squeeze()?) / STRAIN;
+        Some(core / first * tan * tan * squeeze)
     }
 
     /// Bending stiffness of the cable when its rods slide freely: each layer bends as a set of helical springs, the core as it is.
@@ -135,7 +201,7 @@ impl Cable {
         let bending = self.sliding_bending_stiffness();
         let contraction = laid.contraction().unwrap_or(0.0); // as laid no layer shares: its strain and turning are given
         let rod = Rod::made(self.outer_radius(), [axial, bending, torsional, coupling], contraction);
-        Ok(rod.of_area(self.metal_area()))
+        Ok(rod.of_area(self.wire_section_area()).of_breaking_load(self.metallic_breaking_load()))
     }
 
     /// The hand of the outermost layer.

@@ -24,6 +24,7 @@ pub struct Rod {
     poissons_ratio: f64,
     youngs_modulus: Option<f64>,
     area: f64,
+    breaking_load: Option<f64>,
 }
 
 impl Rod {
@@ -74,6 +75,7 @@ impl Rod {
             poissons_ratio,
             youngs_modulus: None,
             area: PI * radius * radius,
+            breaking_load: None,
         }
     }
 
@@ -83,10 +85,50 @@ impl Rod {
         self.youngs_modulus
     }
 
-    /// The area that counts as solid, square to the rod: its outline's, or that of the wires of a strand.
+    /// The area that counts as wire, square to the rod: its outline's, or that of the wires of a strand; 0 of an [uncounted](Self::uncounted) core.
     #[must_use]
     pub const fn area(self) -> f64 {
         self.area
+    }
+
+    /// The same rod, whose section [counts](Self::area) for nothing: a core of fibre in a rope of wires, whose metallic section, modulus and breaking
+    /// load are those of its wires.
+    ///
+    /// ```
+    /// use nply::mechanics::Rod;
+    /// let fibre = Rod::solid_round(2.1, 500.0, 0.0)?.uncounted();
+    /// assert_eq!(fibre.area(), 0.0);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    #[must_use]
+    pub const fn uncounted(self) -> Self {
+        Self { area: 0.0, breaking_load: None, ..self }
+    }
+
+    /// The same rod, of a material with this tensile strength (force per area).
+    ///
+    /// # Errors
+    /// [`DomainError`] unless it is greater than 0 and finite.
+    ///
+    /// ```
+    /// use nply::mechanics::Rod;
+    /// let wire = Rod::solid_round(2.0, 200e3, 0.3)?.of_strength(1770.0)?;
+    /// assert!((wire.breaking_load().unwrap() - 22_242.5).abs() < 0.1);
+    /// # Ok::<(), nply::DomainError>(())
+    /// ```
+    pub fn of_strength(self, tensile_strength: f64) -> Result<Self, DomainError> {
+        positive("tensile_strength", tensile_strength)?;
+        Ok(self.of_breaking_load(Some(tensile_strength * self.area)))
+    }
+
+    /// Tensile strength × section, of a strand summed over its wires; `None` where no strength is known.
+    #[must_use]
+    pub const fn breaking_load(self) -> Option<f64> {
+        self.breaking_load
+    }
+
+    pub(super) const fn of_breaking_load(self, breaking_load: Option<f64>) -> Self {
+        Self { breaking_load, ..self }
     }
 
     /// The same rod with another solid area.

@@ -92,6 +92,23 @@ pub struct LayerState {
     pub neighbour_hertz_pressure: Option<f64>,
 }
 
+impl LayerState {
+    /// The pull that would strain one rod alone so, at this twist: EA × its strain, and of a strand its coupling × its twist. In the cable it carries
+    /// a little less, its part of the force over cos θ: what presses on its sides stretches it as well.
+    #[must_use]
+    pub fn tension(&self) -> f64 {
+        let rod = self.layer.rod;
+        rod.axial_stiffness() * self.strain + rod.coupling() * self.twist()
+    }
+
+    /// Twist of one rod against what it takes by itself, rad per rod length, right-handed positive: of a strand in a rope, the turns that the rope's
+    /// lay and its turning put into it.
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.twist_strain / self.layer.rod.radius()
+    }
+}
+
 /// Why no state is found under given loads.
 pub(super) enum Lost {
     /// None near the lay as made.
@@ -416,6 +433,24 @@ impl CableState {
     #[must_use]
     pub fn core_radius(&self) -> Option<f64> {
         self.core.map(|(radius, ..)| radius)
+    }
+
+    /// Mean pressure on the core of what lies on it: n times the force of each rod of the innermost layer, over the core's surface, per cable length as
+    /// made. `None` without a core, and where the innermost layer does not lie on it.
+    #[must_use]
+    pub fn pressure_on_core(&self) -> Option<f64> {
+        let (radius, first) = (self.core_radius()?, self.layers.first()?);
+        let lies = first.support != LayerSupport::Neighbours;
+        lies.then(|| f64::from(first.layer.strands) * first.pressure_below / (core::f64::consts::TAU * radius))
+    }
+
+    /// By how much the [pressure on it](Self::pressure_on_core) would make a solid core thinner, over its radius: (1 + ν)(1 − 2ν) p/E, its length
+    /// held. It is not part of the state, in which the core keeps its round outline; [`Cable::core_give`] tells whether that matters. `None` of a
+    /// core that is no solid, and where nothing lies on it.
+    #[must_use]
+    pub fn core_squeeze(&self) -> Option<f64> {
+        let [modulus, nu] = self.cable.core()?.material()?;
+        Some((1.0 + nu) * (1.0 - 2.0 * nu) * self.pressure_on_core()? / modulus)
     }
 
     /// Radius of the cylinder around the cable.
