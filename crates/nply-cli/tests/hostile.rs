@@ -330,7 +330,7 @@ fn facets_and_lengths_are_refused_by_their_own_names() {
         (&["--lay-lengths", "1e308"], 1, "--lay-lengths: so many lay lengths are longer than any number"),
         (&["--lay-lengths", "1e30"], 1, "--chord-error: with the usual chord error there would be more than 1e9"),
         (&["--core", "1e-300"], 1, "--core: a core of 1e-300 strand radii is too thin"),
-        (&["--core", "1e300"], 1, "--core: a core of 1.000e300 strand radii overlaps"),
+        (&["--core", "1e300"], 1, "--core: a core of radius 1.000e300 strand radii overlaps"),
     ] {
         let (found, said) = mesh(arguments);
         assert!(found == code && said.contains(wanted), "{arguments:?}: {found}, {said}");

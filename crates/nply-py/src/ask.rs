@@ -3,14 +3,14 @@
 use nply_sheet::regression::{Measurements, RegressionQuestion, RegressionReport};
 use nply_sheet::{
     FitReport, LaysReport, LocusReport, PRESETS, PlyingReport, Preset, Report, ShapeReport, StiffnessReport,
-    StringsReport, TraceReport, Walk, list_presets,
+    StringsGoal, StringsReport, TraceReport, Walk, list_presets,
 };
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::answer::{Answer, Written};
-use crate::document::{self, Input};
+use crate::document::{self, Input, Said};
 use crate::error;
 use crate::work::alone;
 
@@ -71,8 +71,15 @@ pub fn actuator(
     document: Document<'_, '_>,
     data: Data<'_, '_>,
     steps: Option<usize>,
+    goal: Option<(String, Said)>,
 ) -> PyResult<Answer> {
-    let of = |strings| StringsReport::of(strings, steps.unwrap_or(StringsReport::STEPS));
+    let steps = steps.unwrap_or(StringsReport::STEPS);
+    let of = |strings| match &goal {
+        Some((name, Said(text))) => {
+            StringsGoal::read(name, text).and_then(|goal| StringsReport::up_to(strings, goal, steps))
+        }
+        None => StringsReport::of(strings, steps),
+    };
     answered!(py, document::ply(document, data)?, |spec: &nply_sheet::Spec| spec.check_strings().and_then(of))
 }
 

@@ -126,3 +126,22 @@ fn a_picture_without_size_or_angle_is_refused() {
     assert_eq!(of(View { tilt: f64::NAN, ..View::default() }), Some(RenderError::Angle));
     assert_eq!(Picture::of(&[], View::default()).err(), Some(RenderError::Empty));
 }
+
+/// Along its axis a strand whose wires wind on by more than their spacing can nowhere be seen through beside its core, however near to it.
+#[test]
+fn no_light_falls_through_along_a_core() {
+    const WIDTH: u32 = 240;
+    let flags = [("strands", "6"), ("lay-length", "80")];
+    let strand = assembly(&flags, &Wanted { lay_lengths: Some(0.2), core: Some(""), ..Wanted::default() });
+    let view = View { tilt: core::f64::consts::FRAC_PI_2, ..side(WIDTH) };
+    let picture = Picture::of(&[(&strand, [0.0; 3])], view).unwrap();
+    let pixel = 2.0 * (strand.reach() + 1.2) / f64::from(WIDTH);
+    // the core's radius is about that of a wire
+    for row in 0..picture.height() {
+        for (column, [.., cover]) in picture.row(row).into_iter().enumerate() {
+            let [right, up] = [column as f64, f64::from(row)].map(|at| (at + 0.5 - 0.5 * f64::from(WIDTH)) * pixel);
+            let from_axis = f64::sqrt(right * right + up * up);
+            assert!(from_axis > 1.2 || cover == 255, "{from_axis} from the axis: {cover}");
+        }
+    }
+}

@@ -47,7 +47,8 @@ def fit(
         document: the ply, see :mod:`nply.reports`; what is estimated stands there too, as a rough value to start from.
         estimate: what is estimated: ``"stiffness_ratio"``, ``"bending_stiffness"``, ``"diameter"``, ``"pretwist"``, ...
         measured, held: columns that are measured though no errors are given, and held though some are.
-        errors: standard errors of columns in every row: ``{"lay_length": "0.1 mm", "force": "2%"}``.
+        errors: standard errors of columns in every row: ``{"lay_length": "0.1 mm", "force": "2%"}``; or of an estimate's start that was
+            measured too: ``{"diameter": "0.01 mm"}``.
         starts: starts of the search, the given one and others about it; 12 if absent.
         **data: single data.
 

@@ -296,13 +296,25 @@ def spin(document: Document | None = None, /, **data: Unpack[Data]) -> Report:
     return Report(_nply.spin(document, dict(data)))
 
 
-def actuator(document: Document | None = None, /, *, steps: int | None = None, **data: Unpack[Data]) -> Report:
+def actuator(
+    document: Document | None = None,
+    /,
+    *,
+    steps: int | None = None,
+    motor_turns: object | None = None,
+    stroke: object | None = None,
+    torque: object | None = None,
+    tension: object | None = None,
+    **data: Unpack[Data],
+) -> Report:
     """Strings that a motor twists together under a load: stroke, torque, tension, greatest turns (``nply actuator``).
 
     Args:
         document: number, diameter, length and load, see :mod:`nply.reports`.
         steps: equal steps from no turns to the last; 10 if absent.
-        **data: single data, such as ``strand_length="0.5 m", force="20 N", ply_turns=50``.
+        motor_turns: how far the motor turns, another name of ``ply_turns``; the most that go in if absent.
+        stroke, torque, tension: one of them in place of turns: how far the load comes, what the motor holds, the pull in each string.
+        **data: single data, such as ``strand_length="0.5 m", force="20 N"``.
 
     Returns:
         :class:`Report` with ``steps`` and ``most_turns``, in SI units.
@@ -311,8 +323,17 @@ def actuator(document: Document | None = None, /, *, steps: int | None = None, *
     >>> report = nply.actuator(strands=2, diameter="1 mm", strand_length="0.5 m", force="20 N")
     >>> len(report.steps)
     11
+    >>> half = nply.actuator(strands=2, diameter="1 mm", strand_length="0.5 m", force="20 N", stroke="0.1 m")
+    >>> round(half.steps[-1].motor_turns, 3)
+    95.493
     """
-    return Report(_nply.actuator(document, dict(data), steps))
+    given = dict(data)
+    if motor_turns is not None:
+        given["ply_turns"] = motor_turns
+    goals = [(name, goal) for name, goal in (("stroke", stroke), ("torque", torque), ("tension", tension)) if goal is not None]
+    if len(goals) > 1:
+        raise ValueError(f"{goals[0][0]} and {goals[1][0]} both say how far the motor turns: leave one of them out")
+    return Report(_nply.actuator(document, given, steps, goals[0] if goals else None))
 
 
 def trace(

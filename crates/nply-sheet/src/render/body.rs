@@ -124,9 +124,13 @@ impl<'a> Body<'a> {
     }
 
     /// Where a ray first meets the body, and what is there.
+    ///
+    /// It goes on by the distance that is free, and along a surface, where that is next to nothing, by a least step: what it could pass over so is
+    /// sunk into it by 1e-5 of r.
     pub(super) fn hit(&self, ray: &Ray) -> Option<(f64, Spot)> {
-        const STEPS: u32 = 300;
+        const STEPS: u32 = 5000;
         const NEAR: f64 = 1e-5;
+        const LEAST: f64 = 0.01;
         let (mut far, end, through_plane) = self.span(ray)?;
         if through_plane {
             let point = ray.at(far);
@@ -137,17 +141,29 @@ impl<'a> Body<'a> {
                 return Some((far, spot));
             }
         }
+        let mut before = far;
         for _ in 0..STEPS {
-            let step = self.outside_by(ray.at(far));
-            if step < NEAR {
+            let free = self.outside_by(ray.at(far));
+            if free < NEAR {
+                let far = self.surface(ray, before, far);
                 return Some((far, self.spot(ray.at(far)).1));
             }
-            far += step;
+            before = far;
+            far += free.max(LEAST);
             if far > end {
                 return None;
             }
         }
         None
+    }
+
+    /// Where a ray that is outside at `before` and no more at `far` comes to the surface.
+    fn surface(&self, ray: &Ray, mut before: f64, mut far: f64) -> f64 {
+        for _ in 0..12 {
+            let middle = 0.5 * (before + far);
+            if self.outside_by(ray.at(middle)) > 0.0 { before = middle } else { far = middle }
+        }
+        before
     }
 
     /// The stretch of a ray within the enclosing cylinder and between the ends; whether it enters through the plane of an end.

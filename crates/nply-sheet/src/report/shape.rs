@@ -156,7 +156,11 @@ impl ShapeReport {
                     six_digits(branch.arclength_shift),
                     six_digits(branch.radius_ratio),
                     if branch.self_penetrating() { "self-penetrating" } else { "least distance" },
-                    if branch.keeps_curvature() { "curvature kept (rκ ≤ 1)" } else { "curved too sharply (rκ > 1)" },
+                    if branch.keeps_curvature() {
+                        "curvature kept (rκ ≤ 1)"
+                    } else {
+                        "curved too sharply (rκ > 1)"
+                    },
                 );
             }
         }

@@ -208,7 +208,7 @@ pub(super) fn notes(case: &Case, stretched: &Supported<ExtensibleState>) -> Vec<
     };
     say(
         states.is_empty(),
-        "No state: neither neighbours nor a core can hold helical strands under these data, nor do they stand free, with strains \
+        "No state of helical strands (straight ones may still hang in equilibrium): neither neighbours nor a core can hold helical strands under these data, nor do they stand free, with strains \
          between -1/2 and 1; the ply runs away or snaps into a shape that is no uniform helix.",
     );
     say(

@@ -53,7 +53,7 @@ impl StringsGoal {
     ///
     /// # Errors
     /// [`SpecError`] at the flag of that name.
-    pub fn read(name: &'static str, text: &str) -> Result<Self, SpecError> {
+    pub fn read(name: &str, text: &str) -> Result<Self, SpecError> {
         let (dimension, of): (_, fn(f64) -> Self) = match name {
             "stroke" => (Dimension::LENGTH, Self::Stroke),
             "torque" => (Dimension::MOMENT, Self::Torque),
