@@ -30,7 +30,7 @@ struct Kind {
     nodes: usize,
 }
 
-/// Linear and cubic beams and linear trusses have two nodes, quadratic ones three (Abaqus' libraries of beam and truss elements).
+/// Linear and cubic beams and linear trusses have two nodes, quadratic ones three (Abaqus' library of beam elements; trusses from memory).
 const KINDS: [Kind; 10] = [
     Kind { name: "B21", nodes: 2 },
     Kind { name: "B22", nodes: 3 },
