@@ -302,6 +302,80 @@ fn a_protein_is_its_alpha_carbons_and_what_was_chosen_is_said() {
     assert_eq!(read("a.pdb", dna.as_bytes()).curves[0].points, [at(2.0), at(3.0)]);
 }
 
+/// What makes or moves nodes or elements is not followed, and a model without it is another: it is refused, as what stands twice is.
+#[test]
+fn what_makes_moves_or_repeats_nodes_and_elements_is_refused() {
+    let cases: Vec<(&str, Vec<u8>, &str)> = vec![
+        ("a.inp", inp("\n", "B31", &["7, 1, 2"], &["7, 4, 5"]), "a.inp:15: there is an element 7 above already"),
+        ("a.inp", b"*NODE\n1, 0\n*Ngen\n1, 9\n".to_vec(), "a.inp:3: `*NGEN` makes nodes"),
+        ("a.inp", b"*NFILL\n".to_vec(), "a.inp:1: `*NFILL` makes nodes"),
+        ("a.inp", b"*NCOPY, CHANGE NUMBER=9\n".to_vec(), "a.inp:1: `*NCOPY` makes nodes"),
+        ("a.inp", b"*ELGEN, ELSET=A\n1, 9\n".to_vec(), "a.inp:1: `*ELGEN` makes elements"),
+        ("a.inp", b"*ELCOPY\n".to_vec(), "a.inp:1: `*ELCOPY` makes elements"),
+        ("a.inp", b"*NMAP, NSET=A\n".to_vec(), "a.inp:1: `*NMAP` moves nodes"),
+        ("a.inp", b"*SYSTEM\n** moved\n10, 0, 0\n".to_vec(), "a.inp:3: `*SYSTEM` moves the nodes below it"),
+        ("a.inp", b"*NODE, SYSTEM=C\n1, 0\n".to_vec(), "a.inp:1: its nodes are in cylindrical or spherical coord"),
+        ("a.inp", b"*NODE,\nsystem=s\n1, 0\n".to_vec(), "a.inp:1: its nodes are in cylindrical or spherical coord"),
+    ];
+    let said = |(name, bytes, wanted): (&str, Vec<u8>, &'static str)| {
+        let said = Curves::read(name, &bytes, None).map_or_else(|error| error.to_string(), |_| "it is read".to_owned());
+        (!said.starts_with(wanted)).then(|| format!("{said}\nand not: {wanted}"))
+    };
+    let wrong: Vec<String> = cases.into_iter().filter_map(said).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// How many nodes lie along an element follows from its type; one more orients the section, and is no point of the wire.
+#[test]
+fn a_node_that_orients_an_element_is_no_point_of_the_wire() {
+    let all = [
+        ("B31", ["7, 1, 2, 6", "8, 2, 3"], ["9, 4, 5", "10, 5, 6, 1"]),
+        ("B31H", ["7, 1, 2, 6", "8, 2, 3"], ["9, 4, 5", "10, 5, 6, 1"]),
+        ("b33", ["7, 1, 2, 6", "8, 2, 3"], ["9, 4, 5", "10, 5, 6, 1"]),
+        ("T3D2", ["7, 1, 2, 6", "8, 2, 3"], ["9, 4, 5", "10, 5, 6, 1"]),
+    ];
+    for (kind, first, second) in all {
+        let found = read("a.inp", &inp("\n", kind, &first, &second));
+        let points: Vec<_> = found.curves.iter().map(|curve| curve.points.clone()).collect();
+        assert_eq!(points, CURVES.map(<[_]>::to_vec), "{kind}");
+        assert_eq!(found.notes, ["The orientation nodes of 2 elements are left out."], "{kind}");
+    }
+    for kind in ["B32", "B32R", "B32OS", "T3D3"] {
+        let found = read("a.inp", &inp("\n", kind, &["7, 1, 2, 3, 6"], &["9, 4, 5, 6"]));
+        let points: Vec<_> = found.curves.iter().map(|curve| curve.points.clone()).collect();
+        assert_eq!(points, CURVES.map(<[_]>::to_vec), "{kind}");
+        assert_eq!(found.notes, ["The orientation node of 1 element is left out."], "{kind}");
+    }
+    let plain = read("a.inp", &inp("\n", "B32", &["7, 1, 2, 3"], &["9, 4, 5, 6"]));
+    assert!(plain.notes.is_empty(), "{:?}", plain.notes);
+}
+
+/// A keyword line that ends in a comma goes on in the next that is no comment; coordinates after it are none of its parameters.
+#[test]
+fn a_keyword_line_goes_on_behind_a_comma() {
+    let whole = String::from_utf8(inp("\n", "B31", &["7, 1, 2", "8, 2, 3"], &["9, 4, 5", "10, 5, 6"])).unwrap();
+    let apart = whole
+        .replace("*ELEMENT, TYPE=B31, ELSET=FIRST", "*ELEMENT, \n** a set\n TYPE=B31,\nELSET=FIRST")
+        .replace("*Element , elset=SECOND, type=B31", "*Element ,elset=SECOND,\ntype=B31,")
+        .replace("*NODE, NSET=ALL", "*NODE, NSET=ALL,");
+    for text in [apart.clone(), apart.replace('\n', "\r\n")] {
+        let found = read("a.inp", text.as_bytes());
+        let said: Vec<_> = found.curves.iter().map(|curve| (curve.name.as_str(), curve.diameter)).collect();
+        assert_eq!(said, [("FIRST", Some(1.0)), ("SECOND", None)]);
+        let points: Vec<_> = found.curves.iter().map(|curve| curve.points.clone()).collect();
+        assert_eq!(points, CURVES.map(<[_]>::to_vec));
+    }
+}
+
+/// What neither makes nor moves a node is passed over: directions of degrees of freedom, a system that is the global one.
+#[test]
+fn keywords_that_move_no_node_are_passed_over() {
+    let text = String::from_utf8(inp("\n", "B31", &["7, 1, 2", "8, 2, 3"], &["9, 4, 5", "10, 5, 6"])).unwrap();
+    let text =
+        text.replace("*NODE, NSET", "*TRANSFORM, NSET=ALL, TYPE=C\n0, 0, 0, 0, 0, 1\n*SYSTEM\n*NODE, SYSTEM=R, NSET");
+    assert_eq!(read("a.inp", text.as_bytes()).curves.len(), 2);
+}
+
 #[test]
 fn a_ring_repeats_its_first_point() {
     let ring = read("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 3 1\nl 2 3\n");
@@ -346,7 +420,9 @@ fn every_mistake_is_one_sentence_with_its_place() {
         ("a.inp", b"*NODE\n1, 0, x\n".to_vec(), "a.inp:2:7: \"x\" is no number; y is wanted here"),
         ("a.inp", b"*NODE\n1, 0\n1, 1\n".to_vec(), "a.inp:3: there is a node 1 above already"),
         ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=B31\n1, 1, 2\n".to_vec(), "a.inp:4:7: there is no node 2 above"),
-        ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=B31\n1, 1\n".to_vec(), "a.inp:4: element 1 has 1 node; 2 or 3"),
+        ("a.inp", b"*NODE\n1, 0\n*ELEMENT, TYPE=B31\n1, 1\n".to_vec(), "a.inp:4: element 1 has 1 node; a B31 has 2"),
+        ("a.inp", inp("\n", "B32", &["1, 1, 2"], &["2, 4, 5, 6"]), "a.inp:12: element 1 has 2 nodes; a B32 has 3"),
+        ("a.inp", inp("\n", "B31", &["1, 1, 2, 3, 4"], &["2, 4, 5"]), "a.inp:12: element 1 has 4 nodes; a B31 has 2"),
         ("a.inp", b"*NODE\n1.5, 0\n".to_vec(), "a.inp:2:1: \"1.5\" is no whole number"),
         ("a.inp", b"*NODE, INPUT=n.inp\n".to_vec(), "a.inp:1: its lines are in another file"),
         ("a.inp", b"*INCLUDE, INPUT=n.inp\n".to_vec(), "a.inp:1: another file is included"),

@@ -7,7 +7,10 @@ use std::f64::consts::{PI, TAU};
 
 use nply::geometry::{Clearance, Wires};
 use nply_sheet::construction::ConstructionSpec;
-use nply_sheet::mesh::{Assembly, Chain, Fineness, Layered, Spacing, Surface, Wanted, chains};
+use nply_sheet::mesh::{
+    Assembly, Chain, FileUnit, Fineness, Layered, Spacing, StartGeometry, StartWanted, Surface, Wanted, chain_summary,
+    chains, surface_summary,
+};
 
 fn laid(example: &str) -> (Layered, Assembly) {
     let path = format!("{}/../../examples/{example}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -136,4 +139,43 @@ fn what_is_not_drawn_is_refused_in_a_sentence() {
     );
     let said = Layered::of(&ConstructionSpec::from_toml("deep.toml", &deep).unwrap()).unwrap_err().to_string();
     assert!(said.contains("wound three times"), "{said}");
+}
+
+/// A lay that was not given is found, and whoever takes the nodes is told so.
+#[test]
+fn a_lay_that_was_not_given_is_said_to_be_found() {
+    let described = |lay: &str, more: &str| {
+        let text = format!(
+            "[core]\ndiameter = \"4.3 mm\"\n[[layer]]\nwires = 6\nwire_diameter = \"4.2 mm\"\nhand = \"right\"\n{lay}\n{more}"
+        );
+        ConstructionSpec::from_toml("strand.toml", &text).unwrap()
+    };
+    let outer = "[[layer]]\nwires = 12\nwire_diameter = \"4.1 mm\"\nhand = \"left\"\n";
+    let touching = "No lay was given for layer 1: the one at which its wires just touch is taken.";
+    let apart = "No lay was given for layer 1: the one at which its wires have the gap that is wanted is taken.";
+    for (lay, more, wanted) in [
+        ("", String::new(), vec![touching]),
+        ("gap = \"0.01 mm\"", String::new(), vec![apart]),
+        ("lay_length = \"177.8 mm\"", String::new(), vec![]),
+        ("", format!("{outer}lay_length = \"200 mm\""), vec![touching]),
+        ("lay_length = \"177.8 mm\"", outer.to_owned(), vec![&*touching.replace("layer 1", "layer 2")]),
+    ] {
+        let spec = described(lay, &more);
+        let start = StartGeometry::of_layers(&spec, &StartWanted::default()).unwrap();
+        let unit = FileUnit::of(start.ply(), None, None).unwrap();
+        let report: serde_json::Value = serde_json::from_str(&start.json()).unwrap();
+        assert_eq!(report["notes"], serde_json::json!(wanted), "{lay}{more}");
+        let strand = Layered::of(&spec).unwrap();
+        let assembly = strand.assembly(&Wanted::default()).unwrap();
+        let surface = Surface::of(strand.subject(), &assembly, Fineness::default()).unwrap();
+        let lines = chains(strand.subject(), &assembly, Spacing::default()).unwrap();
+        for said in [
+            start.text(&unit),
+            surface_summary(strand.subject(), &surface, &unit),
+            chain_summary(strand.subject(), &lines, &unit),
+        ] {
+            let found: Vec<&str> = said.lines().filter(|line| line.contains("No lay")).collect();
+            assert_eq!(found, wanted, "{said}");
+        }
+    }
 }

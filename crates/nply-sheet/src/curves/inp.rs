@@ -1,6 +1,7 @@
 //! Abaqus' and CalculiX' input: beams and trusses of `*ELEMENT` over the nodes of `*NODE`.
 
-use std::collections::HashMap;
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
 
 use nply::geometry::Vector;
 
@@ -12,12 +13,46 @@ use crate::quoted;
 /// What the lines below a keyword are.
 enum Below {
     Nodes,
-    /// The number of the block of line elements.
-    Lines(usize),
+    /// The number of the block of line elements, and of which kind they are.
+    Lines(usize, Kind),
     /// Elements that are no lines.
     Others,
+    /// Another system of coordinates, if there are numbers.
+    System,
     Nothing,
 }
+
+/// Line elements by the beginning of their type, and how many nodes they have along them. What follows it (H, R, OS, …) says how they are
+/// worked out, and changes none.
+#[derive(Clone, Copy)]
+struct Kind {
+    name: &'static str,
+    nodes: usize,
+}
+
+/// Linear and cubic beams and linear trusses have two nodes, quadratic ones three (Abaqus' library of beam elements; trusses from memory).
+const KINDS: [Kind; 10] = [
+    Kind { name: "B21", nodes: 2 },
+    Kind { name: "B22", nodes: 3 },
+    Kind { name: "B23", nodes: 2 },
+    Kind { name: "B31", nodes: 2 },
+    Kind { name: "B32", nodes: 3 },
+    Kind { name: "B33", nodes: 2 },
+    Kind { name: "T2D2", nodes: 2 },
+    Kind { name: "T2D3", nodes: 3 },
+    Kind { name: "T3D2", nodes: 2 },
+    Kind { name: "T3D3", nodes: 3 },
+];
+
+/// Keywords that make or move nodes or elements, and what they do: the curves that are read without them are none of the model's.
+const NOT_FOLLOWED: [(&str, &str); 6] = [
+    ("NGEN", "makes nodes"),
+    ("NFILL", "makes nodes"),
+    ("NCOPY", "makes nodes"),
+    ("NMAP", "moves nodes"),
+    ("ELGEN", "makes elements"),
+    ("ELCOPY", "makes elements"),
+];
 
 /// The elements below one `*ELEMENT`.
 struct Block {
@@ -33,14 +68,17 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
     let mut at_number: HashMap<u64, usize> = HashMap::new();
     let mut points: Vec<Vector> = Vec::new();
     let mut blocks: Vec<Block> = Vec::new();
-    let (mut below, mut radius, mut others) = (Below::Nothing, None, 0_usize);
-    for line in source.lines() {
+    let mut elements: HashSet<u64> = HashSet::new();
+    let (mut below, mut radius, mut others, mut oriented) = (Below::Nothing, None, 0_usize, 0_usize);
+    let mut lines = source.lines();
+    while let Some(line) = lines.next() {
         let text = source.text(line)?;
         if let Some(comment) = text.strip_prefix("**") {
             radius = comment.trim().strip_prefix("radius ").and_then(|radius| super::text::number(radius.trim()).ok());
             continue;
         }
         if let Some(keyword) = text.strip_prefix('*') {
+            let keyword = whole_keyword(source, keyword, &mut lines)?;
             let parameters: Vec<(String, &str)> = keyword.split(',').map(parameter).collect();
             let parameter = |name: &str| parameters.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
             let keyword = parameters.first().map_or("", |(keyword, _)| keyword.as_str());
@@ -50,16 +88,22 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
                         source.at_line(line.number, "its lines are in another file, which is not read: put them here")
                     );
                 }
+                "NODE" if parameter("SYSTEM").is_some_and(|system| !system.starts_with(['R', 'r'])) => {
+                    let message =
+                        "its nodes are in cylindrical or spherical coordinates, which are not read: x, y, z are wanted";
+                    return Err(source.at_line(line.number, message));
+                }
                 "NODE" => Below::Nodes,
-                "ELEMENT" => match parameter("TYPE").unwrap_or("").to_ascii_uppercase() {
-                    kind if kind.starts_with(['B', 'T']) => {
+                "SYSTEM" => Below::System,
+                "ELEMENT" => match kind(parameter("TYPE").unwrap_or("")) {
+                    Some(kind) => {
                         let name = parameter("ELSET").filter(|name| !name.is_empty()).map(str::to_owned);
                         let diameter = radius.map(|radius: f64| 2.0 * radius);
                         let diameter = diameter.filter(|diameter| *diameter > 0.0 && *diameter < f64::INFINITY);
                         blocks.push(Block { name, diameter, pieces: Vec::new() });
-                        Below::Lines(blocks.len() - 1)
+                        Below::Lines(blocks.len() - 1, kind)
                     }
-                    _ => Below::Others,
+                    None => Below::Others,
                 },
                 "INCLUDE" => {
                     return Err(source.at_line(line.number, "another file is included, which is not read: put it here"));
@@ -68,7 +112,14 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
                     let message = "parts are put together here; one flat list of nodes and elements is wanted";
                     return Err(source.at_line(line.number, message));
                 }
-                _ => Below::Nothing,
+                _ => match NOT_FOLLOWED.into_iter().find(|(known, _)| *known == keyword) {
+                    Some((known, does)) => {
+                        let message =
+                            format!("`*{known}` {does}, which is not followed: write all nodes and elements out");
+                        return Err(source.at_line(line.number, message));
+                    }
+                    None => Below::Nothing,
+                },
             };
             radius = None;
             continue;
@@ -84,12 +135,21 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
                 }
                 points.push(point);
             }
-            Below::Lines(block) => {
-                let nodes = element(source, line, text, &at_number)?;
+            Below::Lines(block, kind) => {
+                let Element { number, nodes, is_oriented } = element(source, line, text, kind, &at_number)?;
+                if !elements.insert(number) {
+                    return Err(source.at_line(line.number, format!("there is an element {number} above already")));
+                }
+                oriented += usize::from(is_oriented);
                 let piece = |pair: &[usize]| Cell { points: pair.to_vec(), name: None, line: Some(line.number) };
                 blocks[block].pieces.extend(nodes.windows(2).map(piece));
             }
             Below::Others => others += 1,
+            Below::System => {
+                let message =
+                    "`*SYSTEM` moves the nodes below it, which is not followed: write them out where they are";
+                return Err(source.at_line(line.number, message));
+            }
             // what follows the first keyword is the heading
             Below::Nothing => {
                 let unit = text.trim().strip_prefix("nply ").and_then(|said| said.rsplit_once("; coordinates in "));
@@ -112,10 +172,42 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
         let besides = if points.is_empty() { "it has no `*NODE`" } else { "it has no beams or trusses" };
         return Err(source.whole(format!("{besides}; centrelines as `*NODE` and `*ELEMENT, TYPE=B31` are wanted")));
     }
+    if oriented > 0 {
+        let nodes = if oriented == 1 { "node" } else { "nodes" };
+        let are = if oriented == 1 { "is" } else { "are" };
+        found.notes.push(format!("The orientation {nodes} of {} {are} left out.", counted(oriented, "element")));
+    }
     if others > 0 {
         found.notes.push(format!("{} left out.", counted_is(others, "other element")));
     }
     Ok(found)
+}
+
+/// A keyword line with all that it goes on with: behind a comma at its end stands the next line that is no comment, if it begins with a letter,
+/// as parameters do, and coordinates and numbers do not.
+fn whole_keyword<'b>(
+    source: &Source<'b>,
+    first: &'b str,
+    lines: &mut (impl Iterator<Item = Line<'b>> + Clone),
+) -> Result<Cow<'b, str>, ReadError> {
+    let mut whole = Cow::Borrowed(first);
+    while whole.trim_end().ends_with(',') {
+        let mut ahead = lines.clone();
+        let Some(next) = ahead.find(|line| !line.bytes.starts_with(b"**")) else { break };
+        let next = source.text(next)?;
+        if !next.trim_start().starts_with(|c: char| c.is_ascii_alphabetic()) {
+            break;
+        }
+        whole.to_mut().push_str(next);
+        *lines = ahead;
+    }
+    Ok(whole)
+}
+
+/// What kind of line elements a type is of, if of any.
+fn kind(name: &str) -> Option<Kind> {
+    let begins = |kind: &Kind| name.get(..kind.name.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(kind.name));
+    KINDS.into_iter().find(begins)
 }
 
 /// `NAME=value`, the name in capitals without blanks.
@@ -147,13 +239,22 @@ fn node(source: &Source<'_>, line: Line<'_>, text: &str) -> Result<(u64, Vector)
     Ok((number, point))
 }
 
-/// The places of an element's nodes in their order along it: two, or three with the middle one.
+/// A line element.
+struct Element {
+    number: u64,
+    /// The places of its nodes in their order along it: two, or three with the middle one.
+    nodes: Vec<usize>,
+    /// Whether one more node stood behind them, which orients the section and does not lie on the wire.
+    is_oriented: bool,
+}
+
 fn element(
     source: &Source<'_>,
     line: Line<'_>,
     text: &str,
+    kind: Kind,
     at_number: &HashMap<u64, usize>,
-) -> Result<Vec<usize>, ReadError> {
+) -> Result<Element, ReadError> {
     let mut words = fields(text);
     let number = label(source, line, words.next(), "the element's number")?;
     let nodes = words.map(|word| {
@@ -161,12 +262,20 @@ fn element(
         let missing = || source.at_column(line, word.at, format!("there is no node {node} above"));
         at_number.get(&node).copied().ok_or_else(missing)
     });
-    let nodes = nodes.collect::<Result<Vec<usize>, _>>()?;
-    if !matches!(nodes.len(), 2 | 3) {
-        let message = format!("element {number} has {}; 2 or 3 are wanted", counted(nodes.len(), "node"));
+    let mut nodes = nodes.collect::<Result<Vec<usize>, _>>()?;
+    let is_oriented = nodes.len() == kind.nodes + 1;
+    if is_oriented {
+        nodes.pop();
+    }
+    if nodes.len() != kind.nodes {
+        let Kind { name, nodes: wanted } = kind;
+        let message = format!(
+            "element {number} has {}; a {name} has {wanted}, and perhaps one more that orients it",
+            counted(nodes.len(), "node")
+        );
         return Err(source.at_line(line.number, message));
     }
-    Ok(nodes)
+    Ok(Element { number, nodes, is_oriented })
 }
 
 fn label(source: &Source<'_>, line: Line<'_>, word: Option<Word<'_>>, wanted: &str) -> Result<u64, ReadError> {

@@ -28,7 +28,7 @@ pub(super) struct Word<'t> {
 }
 
 impl<'b> Source<'b> {
-    pub(super) fn lines(&self) -> impl Iterator<Item = Line<'b>> + use<'b> {
+    pub(super) fn lines(&self) -> impl Iterator<Item = Line<'b>> + Clone + use<'b> {
         // an end of line at the end of the file begins no further line
         let text = self.bytes.strip_suffix(b"\n").unwrap_or(self.bytes);
         text.split(|byte| *byte == b'\n')

@@ -7,7 +7,7 @@ use nply::geometry::{Centreline, DoubleHelix, Tube, WireLayer};
 
 use super::assembly::{Assembly, CORE_COLOUR, MOST_WIRES, Wanted, Wire, outlines};
 use super::subject::{LayerLine, Subject, flag};
-use crate::construction::{Construction, ConstructionSpec, Core};
+use crate::construction::{Construction, ConstructionSpec, Core, GivenLayer};
 use crate::plot::STRANDS;
 use crate::{Datum, ErrorKind, SpecError};
 
@@ -89,12 +89,13 @@ impl Layered {
             Some(strand) => finest(strand),
             None => outer.layer.wire_radius(),
         };
-        let line = |laid: &Laid| LayerLine {
+        let line = |(laid, given): (&Laid, &GivenLayer)| LayerLine {
             rods: laid.layer.wires(),
             strands: laid.strand.is_some(),
             handedness: laid.hand,
             angle: laid.layer.taken_angle(),
             gap: if laid.layer.lies_on_core() { laid.layer.gap() / unit } else { 0.0 },
+            lay_is_found: given.lay.is_none(),
         };
         let subject = Subject {
             title: fit.title.clone().unwrap_or_else(|| "a layered strand".to_owned()),
@@ -110,7 +111,7 @@ impl Layered {
             strand_radius: fit.measured.then_some(unit),
             scale: None,
             units: fit.units.clone(),
-            layers: layers.iter().map(line).collect(),
+            layers: layers.iter().zip(&fit.layers).map(line).collect(),
             bare_radius: if fit.measured { 1.0 } else { unit },
         };
         Ok(Self { subject, core, layers })

@@ -422,6 +422,9 @@ impl StartGeometry {
             format!("Each wire's nodes stand {} elements farther along than those of the one before.", self.stagger)
         };
         let _ = writeln!(out, "\n{stand}");
+        for sentence in self.ply.found_lays() {
+            let _ = writeln!(out, "{sentence}");
+        }
         let loose = self.layers.iter().enumerate().filter(|(_, layer)| layer.is_loose());
         for (at, layer) in loose {
             let gap = six_digits(layer.core_gap().unwrap_or(0.0) * layer.wire_radius * unit.per_radius);
@@ -459,6 +462,7 @@ impl StartGeometry {
                 Value::Object(object)
             };
             top.insert("layers".into(), self.layers.iter().enumerate().map(layer).collect());
+            top.insert("notes".into(), json!(self.ply.found_lays()));
         } else {
             for layer in &self.layers {
                 layer.head(&mut top, json!(self.elements));

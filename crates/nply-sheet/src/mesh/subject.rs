@@ -57,6 +57,15 @@ pub struct LayerLine {
     pub angle: HelicalAngle,
     /// The gap between neighbours, in units of r: 0 where they touch.
     pub gap: f64,
+    /// Whether no lay was given, and the one was taken at which neighbours touch or have the gap that is wanted.
+    pub lay_is_found: bool,
+}
+
+impl LayerLine {
+    /// Whether neighbours touch, to rounding.
+    pub(super) fn is_touching(&self) -> bool {
+        self.gap.abs() < 1e-9
+    }
 }
 
 impl Subject {
@@ -88,6 +97,17 @@ impl Subject {
             return Self::of_shape(spec, spec.check_shape()?);
         }
         Self::of_case(spec, spec.check()?, state)
+    }
+
+    /// Of each layer whose lay was not given, which one was taken: a sentence.
+    pub(super) fn found_lays(&self) -> Vec<String> {
+        let found = self.layers.iter().enumerate().filter(|(_, layer)| layer.lay_is_found);
+        let sentence = |(at, layer): (usize, &LayerLine)| {
+            let rods = if layer.strands { "strands" } else { "wires" };
+            let so = if layer.is_touching() { "just touch" } else { "have the gap that is wanted" };
+            format!("No lay was given for layer {}: the one at which its {rods} {so} is taken.", at + 1)
+        };
+        found.map(sentence).collect()
     }
 
     /// The lay of a description, whatever else it says.

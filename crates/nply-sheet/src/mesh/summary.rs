@@ -27,10 +27,18 @@ fn nearness(ply: &Subject, unit: &FileUnit) -> Vec<(String, String)> {
         let hand = if layer.handedness.sign() > 0.0 { "Z" } else { "S" };
         let rods = if layer.strands { "strands" } else { "wires" };
         let label = format!("layer {}: {} {rods}, {hand}, {}°", at + 1, layer.rods, six_digits(layer.angle.degrees()));
-        let gap = if layer.gap.abs() < 1e-9 { "they touch".to_owned() } else { format!("gap {}", length(layer.gap)) };
+        let gap = if layer.is_touching() { "they touch".to_owned() } else { format!("gap {}", length(layer.gap)) };
         (label, gap)
     };
     ply.layers.iter().enumerate().map(row).collect()
+}
+
+/// Below the rows, what was taken of which nothing was said.
+fn say_found_lays(out: &mut String, ply: &Subject) {
+    let found = ply.found_lays();
+    if !found.is_empty() {
+        let _ = writeln!(out, "\n{}", found.join("\n"));
+    }
 }
 
 fn unit_name(unit: &FileUnit) -> &str {
@@ -64,6 +72,7 @@ pub fn surface_summary(ply: &Subject, surface: &Surface<'_>, unit: &FileUnit) ->
     for (label, value) in rows.chain(nearness(ply, unit)).chain([("coordinates in".to_owned(), u.to_owned())]) {
         let _ = writeln!(out, "  {label:44}{value}");
     }
+    say_found_lays(&mut out, ply);
     out
 }
 
@@ -86,5 +95,6 @@ pub fn chain_summary(ply: &Subject, chains: &[Chain], unit: &FileUnit) -> String
     for (label, value) in rows.chain(nearness(ply, unit)).chain([("coordinates in".to_owned(), u.to_owned())]) {
         let _ = writeln!(out, "  {label:44}{value}");
     }
+    say_found_lays(&mut out, ply);
     out
 }

@@ -601,7 +601,7 @@ pub(super) fn nodes() -> Value {
         ("of a ply", of_all_elements(layer_of_elements(report("Start geometry of straight elements"))).open()),
         (
             "of a strand of layers",
-            of_all_elements(report("Start geometry of straight elements, layer by layer"))
+            noted(of_all_elements(report("Start geometry of straight elements, layer by layer")))
                 .with(
                     "elements_per_shortest_lay_length",
                     whole("How many elements the layer with the shortest lay length has to one", 2),
