@@ -104,6 +104,17 @@ mod tests {
     }
 
     #[test]
+    fn segments_in_one_plane_touch_where_each_passes_the_other() {
+        let flat = |[x, y]: [f64; 2]| [x, y, 1.0 + 2.0 * x - y]; // in a plane that no axis lies in
+        let (a, b) = (flat([0.0, 0.0]), flat([1.0, 0.0]));
+        let touches = |c, d| touch([a, b], [flat(c), flat(d)]);
+        assert!(touches([0.25, -1.0], [0.5, 1.0]) && touches([1.0, 0.0], [2.0, 3.0]));
+        // the line through ab passes between c and d, but beyond b; and the other way round
+        assert!(!touches([2.0, -1.0], [2.0, 1.0]) && !touches([0.5, 1.0], [0.5, 2.0]));
+        assert!(!touches([2.0, 0.0], [3.0, 0.0]) && touches([0.5, 0.0], [3.0, 0.0])); // along one line
+    }
+
+    #[test]
     fn a_sum_is_taken_without_rounding() {
         assert_eq!(sign_of_sum(&[1e300, 1.0, -1e300, -1.0, 1e-300]), 1);
         assert_eq!(sign_of_sum(&[1e300, 1e-300, -1e300, -1e-300]), 0);
