@@ -72,7 +72,6 @@ pub(super) fn of_limits(answer: &Regressed) -> Vec<String> {
 pub(super) fn of_left_out(regression: &Regression) -> Option<String> {
     let left_out = &regression.left_out;
     let mut reasons: Vec<&'static str> = left_out.iter().map(|(_, missing)| *missing).collect();
-    reasons.dedup();
     reasons.sort_unstable();
     reasons.dedup();
     let of = |missing: &&'static str| {

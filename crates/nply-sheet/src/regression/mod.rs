@@ -28,6 +28,7 @@ mod observable;
 mod parameter;
 mod picture;
 mod problem;
+mod reader;
 mod report;
 mod row;
 mod sensed;
