@@ -113,7 +113,10 @@ impl<'a, B: Basis<K>, const K: usize> Combination<'a, B, K> {
             let (low, high) = if above == from { (top, end) } else { (start, top) };
             found(self.refine(low, high, from, 0.5 * (low + high)));
         } else if height.value.abs() <= self.rounding(top) {
-            found(Root { at: top, slope: height.slope, double: true });
+            // where all terms underflow, zero tells of nothing
+            if self.rounding(top) >= f64::MIN_POSITIVE {
+                found(Root { at: top, slope: height.slope, double: true });
+            }
         } else if above != from {
             found(self.refine(start, top, from, 0.5 * (start + top)));
             found(self.refine(top, end, above, 0.5 * (top + end)));

@@ -345,10 +345,10 @@ impl<const K: usize> Panel<K> {
         }
     }
 
-    /// Whether the combination is zero all over the panel to within rounding.
+    /// Whether the combination is zero all over the panel to within rounding, or so small that it has lost digits for that alone.
     fn is_lost<B: Basis<K>>(&self, here: &Combination<'_, B, K>, b: &Bernstein) -> bool {
         let greatest = self.functions.map(|f| f.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
-        let rounding = 8.0 * f64::EPSILON * here.sum_and_size(&greatest).1;
+        let rounding = (8.0 * f64::EPSILON * here.sum_and_size(&greatest).1).max(f64::MIN_POSITIVE);
         b.iter().all(|value| value.abs() <= rounding)
     }
 

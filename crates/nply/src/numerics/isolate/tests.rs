@@ -148,3 +148,12 @@ fn zero_itself_is_divided_out() {
     let got = all(&with_roots(&[0.0, 1e-12, 0.6]));
     assert!(got.len() == 2 && (got[0].at / 1e-12 - 1.0).abs() < 1e-12, "{got:?}");
 }
+
+/// Terms of which nothing is left but a few last digits, next to 0, are no roots.
+#[test]
+fn what_underflows_is_no_root() {
+    for weight in [1e-290, 1e-304, 1e-320, 0.0] {
+        // t³ + weight·t is positive throughout
+        assert_eq!(all(&[0.0, weight, 0.0, 1.0, 0.0, 0.0, 0.0]).iter().filter(|root| root.at > 0.0).count(), 0, "{weight}");
+    }
+}
