@@ -150,3 +150,28 @@ impl HelicalAngle {
         -libm::sin(2.0 * self.past_diagonal)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever an angle is made from, the smaller of helical and pitch angle has all its digits.
+    #[test]
+    fn small_angles_keep_their_digits() {
+        let near =
+            |got: f64, wanted: f64| assert!((got / wanted - 1.0).abs() < 4.0 * f64::EPSILON, "{got}, not {wanted}");
+        for power in [20, 30, 40, 50] {
+            let small = libm::exp2(-f64::from(power));
+            // arccos(1 − x) = √(2x) (1 + x/12 + 3x²/160 + …)
+            let arc = (2.0 * small).sqrt() * (1.0 + small / 12.0 + 3.0 * small * small / 160.0);
+            near(HelicalAngle::of_cosine(1.0 - small).radians(), arc);
+            near(HelicalAngle::of_sine(1.0 - small).pitch_angle(), arc);
+        }
+        for small in [1e-12, 1e-40, 1e-140] {
+            near(HelicalAngle::of_cosine(small).pitch_angle(), small);
+            near(HelicalAngle::of_sine(small).radians(), small);
+            near(HelicalAngle::of_tangent(small, 1.0).radians(), small);
+            near(HelicalAngle::of_tangent(1.0, small).pitch_angle(), small);
+        }
+    }
+}

@@ -154,6 +154,10 @@ fn zero_itself_is_divided_out() {
 fn what_underflows_is_no_root() {
     for weight in [1e-290, 1e-304, 1e-320, 0.0] {
         // t³ + weight·t is positive throughout
-        assert_eq!(all(&[0.0, weight, 0.0, 1.0, 0.0, 0.0, 0.0]).iter().filter(|root| root.at > 0.0).count(), 0, "{weight}");
+        assert_eq!(
+            all(&[0.0, weight, 0.0, 1.0, 0.0, 0.0, 0.0]).iter().filter(|root| root.at > 0.0).count(),
+            0,
+            "{weight}"
+        );
     }
 }
