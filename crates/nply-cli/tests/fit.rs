@@ -310,3 +310,28 @@ fn a_known_diameter_has_its_error() {
     ]);
     assert!(held.code == 2 && held.err.contains("what is held counts as exact"), "{}", held.err);
 }
+
+/// Where the error of what is known goes to nothing, the others are estimated as if it were held.
+#[test]
+fn what_is_known_to_many_digits_is_as_good_as_held() {
+    let fit = |more: &[&str]| {
+        let ply = [
+            "fit",
+            "examples/fit/cord-pull.csv",
+            "examples/fit/cord.toml",
+            "--starts",
+            "1",
+            "--json",
+            "--diameter",
+            "0.61 mm",
+        ];
+        json(&[&ply[..], more].concat())
+    };
+    let held = fit(&["--estimate", "bending_stiffness,stiffness_ratio"]);
+    let known = fit(&["--estimate", "bending_stiffness,stiffness_ratio,diameter", "--error", "diameter=1e-12mm"]);
+    for name in ["bending_stiffness", "stiffness_ratio"] {
+        let [of_held, of_known] = [&held, &known].map(|report| estimate(report, name));
+        near(number(of_known, "value"), number(of_held, "value"), 1e-6);
+        near(number(of_known, "standard_error"), number(of_held, "standard_error"), 1e-3);
+    }
+}

@@ -1,6 +1,6 @@
 //! Estimates, how sure they are, and what they leave of the data.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVectorView};
 use nply::Handedness;
 
 use super::chi::chance_of_greater;
@@ -112,11 +112,14 @@ pub struct Regressed {
 /// Below this share of the best determined direction nothing is determined.
 const UNDETERMINED: f64 = 1e-8;
 
-/// Which steps change no residual by more than rounding does: by a ten millionth of an error at a whole step, or of what another step does.
+/// Which steps change no residual by more than rounding does: by a ten millionth of its error at a whole step, or of what another step does
+/// to it. Residual by residual, so that a number known to many digits takes nothing from what the others say.
 fn without_effect(slopes: &DMatrix<f64>) -> Vec<bool> {
-    let norms: Vec<f64> = slopes.column_iter().map(|column| column.norm()).collect();
-    let most = norms.iter().fold(1.0_f64, |most, norm| most.max(*norm));
-    norms.iter().map(|norm| *norm <= UNDETERMINED * most).collect()
+    let most: Vec<f64> =
+        slopes.row_iter().map(|row| row.iter().fold(1.0, |most: f64, slope| most.max(slope.abs()))).collect();
+    let none =
+        |column: DVectorView<'_, f64>| column.iter().zip(&most).all(|(slope, most)| slope.abs() <= UNDETERMINED * most);
+    slopes.column_iter().map(none).collect()
 }
 
 /// How the data determine the parameters: covariance as far as there is one, and directions that change nothing.
