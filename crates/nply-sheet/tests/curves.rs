@@ -110,7 +110,7 @@ fn inp(end: &str, kind: &str, first: &[&str], second: &[&str]) -> Vec<u8> {
         CURVES.concat().iter().zip(1..).map(|([x, y, z], i)| format!("{i}, {x}, {y}, {z}\n")).collect::<String>();
     let (first, second) = (first.join("\n"), second.join("\n"));
     let text = format!(
-        "*Heading\n two curves\n*NODE, NSET=ALL\n{nodes}** radius 0.5\n*ELEMENT, TYPE={kind}, ELSET=FIRST\n{first}\n** another\n\
+        "*Heading\n two curves\n  *NODE, NSET=ALL\n{nodes}** radius 0.5\n*ELEMENT, TYPE={kind}, ELSET=FIRST\n{first}\n** another\n\
          *Element , elset=SECOND, type={kind}\n{second}\n*NSET, NSET=START\n1, 4\n*BEAM SECTION, SECTION=CIRC, ELSET=FIRST\n3.\n"
     );
     text.replace('\n', end).into_bytes()

@@ -73,11 +73,13 @@ pub(super) fn read(source: &Source<'_>) -> Result<Found, ReadError> {
     let mut lines = source.lines();
     while let Some(line) = lines.next() {
         let text = source.text(line)?;
-        if let Some(comment) = text.strip_prefix("**") {
+        // the first letter that is no blank makes a keyword or a comment (Abaqus' syntax rules)
+        let begin = text.trim_start();
+        if let Some(comment) = begin.strip_prefix("**") {
             radius = comment.trim().strip_prefix("radius ").and_then(|radius| super::text::number(radius.trim()).ok());
             continue;
         }
-        if let Some(keyword) = text.strip_prefix('*') {
+        if let Some(keyword) = begin.strip_prefix('*') {
             let keyword = whole_keyword(source, keyword, &mut lines)?;
             let parameters: Vec<(String, &str)> = keyword.split(',').map(parameter).collect();
             let parameter = |name: &str| parameters.iter().find(|(known, _)| known == name).map(|(_, value)| *value);

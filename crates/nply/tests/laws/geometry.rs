@@ -3,7 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use nply::Handedness;
-use nply::geometry::{BranchKind, Centreline, Contact, ContactLine, HelicalAngle, branch_at_anomaly, branches};
+use nply::geometry::{
+    BranchKind, Centreline, Contact, ContactLine, HelicalAngle, SpecialLays, branch_at_anomaly, branches,
+    packing_fraction,
+};
 use proptest::prelude::*;
 
 use crate::common::touch::{slope, touch_at};
@@ -256,4 +259,32 @@ fn pitchfork_of_two_strands() {
     }
     let diagonal = Contact::new(2, FRAC_PI_4).unwrap();
     assert_eq!((diagonal.arclength_shift(), diagonal.hole_radius(), diagonal.radius_ratio()), (0.0, 0.0, 1.0));
+}
+
+/// Each special lay has more of its quantity than any other of the branch; the densest packing of six and more is that of straight strands.
+#[test]
+fn special_lays_are_greatest() {
+    let branch = |n: u32| (1..2000).map(move |k| Contact::new(n, FRAC_PI_2 * f64::from(k) / 2000.0).unwrap());
+    let sin_cos = |contact: &Contact| contact.helical_angle().sin_cos();
+    for n in 2..=12 {
+        let lays = SpecialLays::of(n).unwrap();
+        let turns = |contact: &Contact| sin_cos(contact).0 / contact.radius_ratio();
+        let torsion = |contact: &Contact| turns(contact) * sin_cos(contact).1;
+        let curvature = |contact: &Contact| turns(contact) * sin_cos(contact).0;
+        let greatest = |quantity: &dyn Fn(&Contact) -> f64| branch(n).map(|lay| quantity(&lay)).fold(0.0, f64::max);
+        for (lay, quantity) in [
+            (lays.zero_twist(), &turns as &dyn Fn(&Contact) -> f64),
+            (lays.most_torsion(), &torsion),
+            (lays.most_curvature(), &curvature),
+        ] {
+            let (here, most) = (quantity(&lay), greatest(quantity));
+            assert!(here >= most * (1.0 - 1e-14) && here < most * (1.0 + 1e-5), "{n} strands: {here}, not {most}");
+        }
+        let packing = greatest(&packing_fraction);
+        let densest = lays.close_packed();
+        assert_eq!(densest.is_some(), n < 6, "{n} strands");
+        let here =
+            densest.map_or_else(|| packing_fraction(&Contact::new(n, 0.0).unwrap()), |lay| packing_fraction(&lay));
+        assert!(here >= packing * (1.0 - 1e-14) && here < packing * (1.0 + 1e-5), "{n} strands: {here}, not {packing}");
+    }
 }
