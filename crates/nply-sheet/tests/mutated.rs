@@ -2,7 +2,7 @@
 //! NPLY_ROUNDS=100000 goes on for longer, NPLY_SEED begins elsewhere.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -243,6 +243,21 @@ fn damaged_parquet_is_refused() {
     let mut table = TableReader::open(Format::Parquet, Cursor::new(bytes), 8, 0).unwrap();
     let error = table.next_chunk().unwrap_err();
     assert!(error.to_string().contains("no whole Parquet file"), "{error}");
+}
+
+/// Found by libFuzzer: a list of 10⁹ numbers announced in a page's header, of which the library that reads Parquet skips each at the file's
+/// end; and a column's name with a line break, which it quotes.
+#[test]
+fn damaged_parquet_is_refused_in_a_sentence_and_at_once() {
+    for name in ["endless-list", "endless-list-2", "name-with-line-break"] {
+        let path = format!("{}/tests/damaged/{name}.parquet", env!("CARGO_MANIFEST_DIR"));
+        let read = TableReader::open(Format::Parquet, File::open(&path).unwrap(), 8, 0);
+        let error = read.and_then(|mut table| table.next_chunk()).unwrap_err().to_string();
+        assert!(
+            error.contains("no whole Parquet file") && !error.contains(|c: char| c.is_control()),
+            "{name}: {error}"
+        );
+    }
 }
 
 #[test]

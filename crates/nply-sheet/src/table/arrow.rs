@@ -1,6 +1,7 @@
 //! Columns as Arrow has them, for doors that hand tables on.
 
 use std::collections::{BTreeSet, HashMap};
+use std::fmt::Display;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -261,7 +262,8 @@ impl<R: Read + Seek> Shared<R> {
     }
 }
 
-/// From one place on.
+/// From one place on, up to the file's end: to read beyond is an error, since what skips bytes by copying them away would take nothing for as
+/// many bytes as it likes, and a damaged header can announce some 10⁹ of them, again and again.
 pub(super) struct From<R> {
     file: Arc<Mutex<R>>,
     at: u64,
@@ -273,6 +275,9 @@ impl<R: Read + Seek> Read for From<R> {
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         file.seek(SeekFrom::Start(self.at))?;
         let read = file.read(room)?;
+        if read == 0 && !room.is_empty() {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
         self.at += read as u64;
         Ok(read)
     }
@@ -371,7 +376,7 @@ pub(super) fn open<R: Read + Seek + Send + 'static>(
     skipped: u64,
 ) -> Result<(Vec<Column>, u64, ParquetRecordBatchReader), TableError> {
     let not_whole = |error: ParquetError| match refused(error) {
-        TableError::Encode(error) => TableError::Unreadable(format!("it is no whole Parquet file ({error})")),
+        TableError::Encode(error) => not_whole(&error),
         other => other,
     };
     let builder = ParquetRecordBatchReaderBuilder::try_new(Shared::new(file)?).map_err(not_whole)?;
@@ -393,10 +398,15 @@ pub(super) fn open<R: Read + Seek + Send + 'static>(
     Ok((columns, rows, batches))
 }
 
+/// What the library says of a damaged file may have the file's own bytes in it.
+fn not_whole(error: &impl Display) -> TableError {
+    let error = error.to_string().replace(|c: char| c.is_control(), "?");
+    TableError::Unreadable(format!("it is no whole Parquet file ({error})"))
+}
+
 /// A batch's cells.
 pub(super) fn cells(batch: &Result<RecordBatch, arrow_schema::ArrowError>) -> Result<Vec<Values>, TableError> {
-    let batch =
-        batch.as_ref().map_err(|error| TableError::Unreadable(format!("it is no whole Parquet file ({error})")))?;
+    let batch = batch.as_ref().map_err(not_whole)?;
     let none = |array: &ArrayRef| Values::Nothing(Kind::Text, array.len());
     Ok(batch.columns().iter().map(|array| values(array).unwrap_or_else(|| none(array))).collect())
 }
