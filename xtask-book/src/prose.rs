@@ -11,6 +11,10 @@ pub(crate) enum Part<'a> {
     Formula(&'a str, bool, usize),
 }
 
+fn begins_a_line(text: &str, at: usize) -> bool {
+    text[..at].trim_end_matches([' ', '>']).chars().next_back().is_none_or(|before| before == '\n')
+}
+
 /// Cuts prose into its parts; an error has the line, counted from 0.
 pub(crate) fn parts(text: &str) -> Result<Vec<Part<'_>>, (usize, String)> {
     let mut parts = Vec::new();
@@ -22,6 +26,9 @@ pub(crate) fn parts(text: &str) -> Result<Vec<Part<'_>>, (usize, String)> {
         let (part, length) = if let Some(after) = rest.strip_prefix('\\') {
             at = start + 1 + after.chars().next().map_or(0, char::len_utf8);
             continue;
+        } else if rest.starts_with("```") && begins_a_line(text, start) {
+            let why = "a fence whose words have a backtick is none, and its block would be prose";
+            return Err((line(start), why.to_owned()));
         } else if rest.starts_with('`') {
             at = start + code(rest);
             continue;
@@ -98,5 +105,6 @@ mod tests {
             ]
         );
         assert_eq!(parts("a\n{{value").unwrap_err().0, 1);
+        assert_eq!(parts("a\n\n```nply caption=\"`x`\"\n").unwrap_err().0, 2);
     }
 }
