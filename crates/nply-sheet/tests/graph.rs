@@ -321,3 +321,31 @@ fn the_axis_is_what_was_asked_for() {
         assert!(ticks.filter(|tick| (tick - mark).abs() < 1e-9).count() > 0, "{range}");
     }
 }
+
+/// The table of a chart has what runs as it was written, beside the theory's datum: a = 2πr times turns per length, a force in newtons.
+#[test]
+fn what_runs_is_in_the_table_as_it_was_written() {
+    let cord = ply(&[("strands", "3"), ("stiffness-ratio", "0.75"), ("diameter", "6 mm")]);
+    let stiff = [("turns-per-length", "3 turns/m"), ("bending-stiffness", "10 N mm2")];
+    let loaded = ply(&[&[("strands", "3"), ("stiffness-ratio", "0.75"), ("diameter", "6 mm")], &stiff[..]].concat());
+    let newtons = 10e-6 / (3e-3 * 3e-3); // B/r²
+    for (spec, sweep, name, factor) in [
+        (
+            &cord,
+            "turns_per_length=1..30 turns/m",
+            "turns_per_length_turns_per_m",
+            1.0 / (2.0 * std::f64::consts::PI * 3e-3),
+        ),
+        (&loaded, "force=0..30 N", "force_N", newtons),
+    ] {
+        let graph = graph(spec, sweep, &["radius_ratio"]);
+        let csv = graph.csv(&graph.curves());
+        let mut lines = csv.lines();
+        assert_eq!(lines.next().unwrap().split(',').nth(6), Some(name), "{csv}");
+        for line in lines {
+            let cells: Vec<f64> = line.split(',').skip(5).take(2).map(|cell| cell.parse().unwrap()).collect();
+            assert!((cells[1] - factor * cells[0]).abs() <= 1e-12 * (factor * cells[0]).abs(), "{line}");
+        }
+        assert!(csv.lines().count() > 20);
+    }
+}

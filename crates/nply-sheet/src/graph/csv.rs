@@ -6,8 +6,8 @@ use super::{Graph, GraphCurve};
 use crate::report::unit_suffix;
 
 impl Graph {
-    /// Every point of these curves: which ply, which curve, the datum, what is asked; all dimensionless, and in SI where the scale is
-    /// known.
+    /// Every point of these curves: which ply, which curve, the datum, what is asked; all dimensionless, the datum also in the unit in which
+    /// it runs, the others also in SI where the scale is known.
     ///
     /// ```
     /// use nply_sheet::Spec;
@@ -21,9 +21,17 @@ impl Graph {
     #[must_use]
     pub fn csv(&self, curves: &[GraphCurve]) -> String {
         let known = self.known();
-        let (datum, ..) = Graph { against: None, ..self.clone() }.axis(1.0);
+        let (datum, label, reading) = Graph { against: None, ..self.clone() }.axis(1.0);
         let mut names = ["strands", "balance", "handedness", "separated", "curve", datum].map(str::to_owned).to_vec();
         let columns: Vec<_> = self.against.iter().chain(&self.ask).copied().collect();
+        // what runs as it was written, as on the axis of the picture
+        let written = (!reading.unit.is_empty()).then(|| {
+            let name = if self.asked.is_some() { label.replace(' ', "_") } else { datum.to_owned() };
+            format!("{name}_{}", unit_suffix(&reading.unit))
+        });
+        let is_asked = |name: &String| columns.iter().any(|column| column.name == name);
+        let written = written.filter(|name| !is_asked(name));
+        names.extend(written.clone());
         for column in &columns {
             names.push(column.name.to_owned());
             names.extend(column.measure.si(known).map(|(_, unit)| format!("{}_{}", column.name, unit_suffix(unit))));
@@ -41,11 +49,12 @@ impl Graph {
                     // adding 0 takes the sign from a negative zero
                     (point.x + 0.0).to_string(),
                 ];
+                cells.extend(written.as_ref().map(|_| (point.x * reading.factor + 0.0).to_string()));
                 for column in &columns {
                     let value = column.of(&point.state);
-                    let written = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
-                    cells.push(written(value));
-                    cells.extend(column.measure.si(known).map(|(factor, _)| written(value.map(|v| v * factor))));
+                    let cell = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+                    cells.push(cell(value));
+                    cells.extend(column.measure.si(known).map(|(factor, _)| cell(value.map(|v| v * factor))));
                 }
                 text += &(cells.join(",") + "\n");
             }
