@@ -122,6 +122,7 @@ pub const COLUMNS: &[Column] = {
             Some(s.contact().arclength_shift())
         }),
         column(Shape, "extension", "ply length/strand length", Number, |s| Some(s.extension())),
+        column(Shape, "rotation", "", Number, |s| Some(s.rotation())),
         column(Shape, "retraction_percent", "retraction", Percent, |s| Some(retraction(s))),
         column(Shape, "curvature", "curvature of a strand", PerLength, |s| Some(s.contact().curvature())),
         column(Shape, "torsion", "", PerLength, |s| Some(s.handedness().sign() * s.contact().torsion())),
