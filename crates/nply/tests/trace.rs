@@ -91,6 +91,22 @@ fn letting_go_ends_in_the_simulated_ply() {
     }
 }
 
+/// A window that leaves out an end of the path, or that no path is long enough for, is refused.
+#[test]
+fn a_window_holds_the_path() {
+    let twisted = |pretwist: f64| data(0.75, pretwist, loads(0.0, 0.0));
+    let path = Path::new(3, twisted(-1.0), twisted(-0.5), Contacts::Kept(Balance::Contact)).unwrap();
+    let start = path.starts().unwrap()[0];
+    let refused = |window: (f64, f64)| {
+        path.trace(&start, &Route { window, ..Route::default() }).map(drop).map_err(|error| error.quantity)
+    };
+    assert_eq!([(0.0, 1.0), (-0.5, 1.5)].map(refused), [Ok(()), Ok(())]);
+    let nan = f64::NAN;
+    for window in [(0.1, 1.0), (0.0, 0.9), (-1e9, 1.0), (0.0, 2e9), (nan, 1.0), (0.0, nan)] {
+        assert_eq!(refused(window), Err("window"), "{window:?}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -137,6 +137,20 @@ mod tests {
         }
     }
 
+    /// A moment is that which holds straight strands where the two differ by their own rounding and no more, however small both are.
+    #[test]
+    fn a_small_moment_is_told_from_the_one_that_holds() {
+        for (strands, held) in [(2, 1e-9), (3, 0.3), (1000, 1e-200), (7, -1e6)] {
+            let straight = NearStraight { strands, balance: Balance::Contact };
+            let holds = f64::from(strands) * held;
+            let left = |moment: f64| {
+                straight.weights(&Pair { even: [1.0, 0.7, 0.0, 0.0, 0.0], odd: [0.0, 0.0, held, 0.0, moment] }).odd[5]
+            };
+            assert_eq!(left(holds * (1.0 + f64::EPSILON)), 0.0);
+            assert!((left(holds * (1.0 + 1e-10)) / (holds * 1e-10) - 1.0).abs() < 1e-4);
+        }
+    }
+
     /// What is left when the first orders are taken together keeps its digits: over its power of θ it goes to a limit, with a remainder of order θ².
     #[test]
     fn nothing_cancels_next_to_straight_strands() {

@@ -262,6 +262,23 @@ fn an_array_loses_no_state_at_borders_and_folds() {
     }
 }
 
+/// A state is that of its own row: asked of another, or of a row that there is not, it is none.
+#[test]
+fn a_state_belongs_to_one_row() {
+    let (n, gamma, none) = ([3, 4], [0.75, 0.75], [0.0, 0.0]);
+    let pretwist = [-1.0, -1.0];
+    let plies =
+        Plies { strands: &n, stiffness_ratio: &gamma, twist: Twists::Pretwist(&pretwist), force: &none, moment: &none };
+    let mut states = States::new();
+    plies.equilibria(Balance::Contact, &mut states).unwrap();
+    let [first, second] = [0, 1].map(|row| states.row(row).start);
+    let strands =
+        |row, at| plies.equilibrium(Balance::Contact, &states, row, at).map(|state| state.contact().strands());
+    assert_eq!([strands(0, first), strands(1, second)], [Some(3), Some(4)]);
+    assert_eq!([strands(0, second), strands(1, first)], [None, None]);
+    assert_eq!(strands(0, states.row(1).end), None);
+}
+
 #[test]
 fn a_refused_ply_touches_no_other() {
     let mut good = Rows::default();

@@ -267,6 +267,16 @@ proptest! {
         }
     }
 
+    /// A lay length is the ply length in which a strand goes round once: by it and by the length ratio the ply's rotation is that of its strands.
+    #[test]
+    fn once_round_in_a_lay_length(given in given()) {
+        for state in given.states() {
+            let turns = state.extension() / state.lay_length(); // per strand length
+            let rotation = state.handedness().sign() * TAU * turns;
+            prop_assert!((rotation - state.rotation()).abs() < 1e-12 * rotation.abs(), "{state:?}");
+        }
+    }
+
     /// A stable state is where energy is least among its neighbours along touching strands, an unstable one is not; and a state that
     /// may lift off too (θ and ρ both free, ρ above contact) has no way down either.
     #[test]

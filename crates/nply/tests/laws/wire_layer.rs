@@ -229,7 +229,9 @@ fn ellipses_that_touch() {
 /// 1 + 6 + 12 + 18 of one wire: each layer lies on what the one below takes.
 #[test]
 fn layers_on_layers() {
+    assert_eq!(WireStrand::on_core(None).unwrap().core_radius(), None);
     let mut strand = WireStrand::on_core(Some(1.0)).unwrap();
+    assert_eq!(strand.core_radius(), Some(1.0));
     for (layers, wires) in [(1, 6), (2, 12), (3, 18)] {
         strand.lay(wires, 1.0, WireLay::Ratio(15.0)).unwrap();
         assert_eq!(strand.layers().len(), layers);
