@@ -294,6 +294,9 @@ fn run_of_flag(text: &str) -> Result<Run, SpecError> {
     let entry = |text: &str| -> Result<Entry, SpecError> {
         Ok(Entry { key, value: read_text(key, text, &place)?, place: place.clone(), written: quoted(text) })
     };
+    if what.contains("..") {
+        return Err(wrong("a table's range is written with colons (two dots are those of `nply plot`)"));
+    }
     let mut parts: Vec<&str> = what.split(':').map(str::trim).collect();
     if parts.len() < 2 {
         let listed: Vec<&str> = what.split(',').map(str::trim).collect();
