@@ -3,9 +3,11 @@
 python3 examples/coiled-coil/helix_axes.py [FILE.pdb [AXES.csv [CHAINS]]]
 
 Each chain is one helix; CHAINS, such as AB, says which of them belong together. They may be parallel or antiparallel and begin at any residue.
+Chains without a letter end at their TER and are named 1, 2, 3 in the order of the file.
 """
 
 import csv
+import itertools
 import math
 import sys
 
@@ -18,9 +20,13 @@ def chains(path):
             lines = file.read().split("\n")
     except OSError as error:
         sys.exit(f"{path} cannot be read: {error.strerror}")
+    if any(line.startswith(("data_", "_atom_site.")) for line in lines):
+        sys.exit(f"{path}: it is mmCIF; save it as PDB")
+    ended = 0
     for number, line in enumerate(lines, 1):
         if line.startswith("ENDMDL"):
             break
+        ended += line[:6].strip() == "TER"
         # among HETATM, CA in the next column is calcium
         if (line.startswith("ATOM") and line[12:16].strip() == "CA") or (line.startswith("HETATM") and line[12:16] == " CA "):
             try:
@@ -30,8 +36,29 @@ def chains(path):
             # a line that is cut off within the last coordinate may still read as a number
             if len(line) < 54 or not all(map(math.isfinite, point)):
                 sys.exit(f"{path}, line {number}: this atom's x, y and z are not three numbers in columns 31 to 54")
-            found.setdefault(line[21], {}).setdefault(line[22:27].strip(), point)
-    return found
+            letter = line[21].strip()
+            found.setdefault(letter or ended, {}).setdefault(line[22:27].strip(), point)
+    if len(found) == 1 and not isinstance(next(iter(found)), str):
+        sys.exit(f"{path} is one chain: its atoms have no letter of a chain (column 22), and no TER stands between chains; write either")
+    return named(found)
+
+
+def named(found):
+    """The chains under their letters; those that have none, and are told apart by how many TER stand before them, under the numbers no chain has."""
+    free = (str(number) for number in itertools.count(1) if str(number) not in found)
+    return {chain if isinstance(chain, str) else next(free): points for chain, points in found.items()}
+
+
+def chosen(path, found, wanted):
+    """The chains that are wanted: letters one behind the other, or names between commas; all if nothing is said."""
+    if not wanted:
+        return found
+    names = [name for part in wanted.split(",") for name in ([part] if part in found else part)]
+    missing = [name for name in dict.fromkeys(names) if name not in found]
+    if missing:
+        there = f"its chains are {', '.join(found)}" if found else "it has no CA atom of any chain"
+        sys.exit(f"{path} has no chain {' and no chain '.join(missing)}: {there}")
+    return {name: points for name, points in found.items() if name in names}
 
 
 def less(a, b):
@@ -50,6 +77,12 @@ def mean(points):
     return [sum(part) / len(points) for part in zip(*points)]
 
 
+def runs(names, some):
+    """Those of the names that are among some, each run of them by its ends."""
+    together = [list(run) for among, run in itertools.groupby(names, key=some.__contains__) if among]
+    return [run[0] if len(run) == 1 else f"{run[0]} to {run[-1]}" for run in together]
+
+
 def axis(chain, points):
     """Points on a helix's axis, one between each four residues: the bisectors of two bends meet on it."""
     line, left_out = [], []
@@ -66,7 +99,8 @@ def axis(chain, points):
         radius = math.sqrt(long * wide) / (2 * (1 - turn))
         line.append([(x + radius * p / long + y + radius * q / wide) / 2 for x, p, y, q in zip(b, v, c, w)])
     if left_out:
-        print(f"chain {chain}: no alpha-helix in the four residues from {', '.join(left_out)}; left out", file=sys.stderr)
+        firsts = ", ".join(runs(names, left_out))
+        print(f"chain {chain}: no alpha-helix in four residues in a row, by the first of the four: {firsts}; left out", file=sys.stderr)
     return line
 
 
@@ -122,26 +156,29 @@ def superhelix(axes):
     return radius, math.tau / slope, against
 
 
-pdb = sys.argv[1] if len(sys.argv) > 1 else "examples/coiled-coil/trimer.pdb"
-wanted = sys.argv[3].replace(",", "") if len(sys.argv) > 3 else ""
-found = chains(pdb)
-missing = [name for name in dict.fromkeys(wanted) if name not in found]
-if missing:
-    there = f"its chains are {', '.join(found)}" if found else "it has no CA atom of any chain"
-    sys.exit(f"{pdb} has no chain {' and no chain '.join(missing)}: {there}")
-axes = {name: axis(name, points) for name, points in found.items() if not wanted or name in wanted}
-axes = {name: line for name, line in axes.items() if len(line) > 1}
-if len(axes) < 2:
-    sys.exit(f"{pdb}: two or more chains that are alpha-helices are wanted, and {len(axes)} found")
-radius, pitch, against = superhelix(axes)
-if len(sys.argv) > 2:
+def write(path, axes):
     try:
-        with open(sys.argv[2], "w", newline="", encoding="utf-8") as file:
+        with open(path, "w", newline="", encoding="utf-8") as file:
             rows = csv.writer(file)
             rows.writerow(["chain", "x [Å]", "y [Å]", "z [Å]"])
             rows.writerows([name, *(f"{x:.3f}" for x in point)] for name, line in axes.items() for point in line)
     except OSError as error:
-        sys.exit(f"{sys.argv[2]} cannot be written: {error.strerror}")
+        sys.exit(f"{path} cannot be written: {error.strerror}")
+
+
+pdb, table, wanted = [*sys.argv[1:4], "", "", ""][:3]
+pdb = pdb or "examples/coiled-coil/trimer.pdb"
+if table and not table.lower().endswith(".csv"):
+    sys.exit(f"{table}: the axes are written as CSV, to a name that ends in .csv; chains stand behind it: {pdb} axes.csv AB")
+axes = {name: axis(name, points) for name, points in chosen(pdb, chains(pdb), wanted).items()}
+axes = {name: line for name, line in axes.items() if len(line) > 1}
+if len(axes) < 2:
+    sys.exit(f"{pdb}: two or more chains that are alpha-helices are wanted, and {len(axes)} found")
+radius, pitch, against = superhelix(axes)
+if table:
+    write(table, axes)
 hand = "left" if pitch < 0 else "right"
-turned = f" ({', '.join(against)} against {next(iter(axes))})" if against else ""
-print(f"{len(axes)} helices{turned}, superhelix radius {radius:.3f} Å, pitch {abs(pitch):.1f} Å, {hand}-handed")
+turned = f"; {', '.join(against)} against {next(iter(axes))}" if against else ""
+print(f"{len(axes)} helices (chains {', '.join(axes)}{turned}), superhelix radius {radius:.3f} Å, pitch {abs(pitch):.1f} Å, {hand}-handed")
+if table:
+    print(f"axes written to {table}")

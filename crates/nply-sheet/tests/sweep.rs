@@ -355,7 +355,7 @@ fn what_is_written_wrong_is_told_in_a_sentence() {
         ("pretwst=0:1:3", "did you mean `pretwist`"),
         ("pretwist=0:1:x", "no whole number"),
         ("pretwist=0:1:2:3:4", "this is no range"),
-        ("pretwist=-2..2 41", "a range of a table has colons"),
+        ("pretwist=-3..3", "\"pretwist=-3..3\": a table's range is written with colons"),
         ("force=0:1 mm:3", "is a length"),
     ] {
         let ply = Spec::from_flags([("strands", "3"), ("stiffness-ratio", "0.75")]).unwrap();

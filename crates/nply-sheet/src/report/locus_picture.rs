@@ -71,7 +71,7 @@ impl LocusReport {
                 };
                 let first = degrees == EVERY;
                 let name = |words: &str| if first { format!("{side}, {words}") } else { String::new() };
-                let presses = Curve::new(name(&format!("every {EVERY}°")), [end(0.0), end(far)])
+                let presses = Curve::new(name(&format!("helical angle every {EVERY}°")), [end(0.0), end(far)])
                     .with_colour(colour)
                     .with_width(1.4);
                 let pulls =

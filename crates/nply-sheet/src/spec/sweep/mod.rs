@@ -294,10 +294,10 @@ fn run_of_flag(text: &str) -> Result<Run, SpecError> {
     let entry = |text: &str| -> Result<Entry, SpecError> {
         Ok(Entry { key, value: read_text(key, text, &place)?, place: place.clone(), written: quoted(text) })
     };
-    let mut parts: Vec<&str> = what.split(':').map(str::trim).collect();
-    if parts.len() < 2 && what.contains("..") {
-        return Err(wrong("a range of a table has colons, since two dots do not say how many values there are"));
+    if what.contains("..") {
+        return Err(wrong("a table's range is written with colons (two dots are those of `nply plot`)"));
     }
+    let mut parts: Vec<&str> = what.split(':').map(str::trim).collect();
     if parts.len() < 2 {
         let listed: Vec<&str> = what.split(',').map(str::trim).collect();
         // a unit at the end stands for all
