@@ -199,11 +199,23 @@ impl ExtensibleState {
         })
     }
 
-    /// Tension of the core in B/r², 0 without one that works.
+    /// Force in the core in B/r², 0 without one that works: what its strain asks for, less what the strands that lie on it push along it,
+    /// which thins when it is pulled: with the strands' own it makes up the force at the ends.
     #[must_use]
     pub fn core_force(&self) -> f64 {
+        let Some(core) = self.ply.core() else { return 0.0 };
+        core.axial_stiffness() * self.core_strain() - 2.0 * core.poissons_ratio() * self.squeeze()
+    }
+
+    /// How much longer the core is than as made.
+    pub(super) fn core_strain(&self) -> f64 {
+        self.ply.formed().map_or(0.0, |lay| self.extension() / lay.angle.cos() - 1.0)
+    }
+
+    /// What lies on the core, evenly spread over its surface, times its section, both as made.
+    pub(super) fn squeeze(&self) -> f64 {
         let Some((core, lay)) = self.ply.core().zip(self.ply.formed()) else { return 0.0 };
-        core.axial_stiffness() * (self.extension() / lay.angle.cos() - 1.0)
+        0.5 * f64::from(self.ply.strands()) * self.core_pressure() * core.radius() / lay.angle.cos()
     }
 
     /// Torque of the core in B/r, right-handed positive.

@@ -31,12 +31,14 @@ impl Fibre {
 /// Stresses at the surface of a solid round wire, each over the wire's own Young's modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WireStress {
-    /// From stretch, the same all over the section.
+    /// Along the wire, the same all over the section: from stretch, and in a core from what presses on its sides.
     pub stretch: f64,
     /// From bending, at the fibre where it pulls.
     pub bending: f64,
     /// Shear from twist, at the surface.
     pub twist: f64,
+    /// Pressure from the sides, evenly spread: of a core that strands lie on. A strand is pulled most where nothing lies on it.
+    pub sides: f64,
     /// Where stretch and bending add up.
     pub fibre: Fibre,
 }
@@ -48,10 +50,10 @@ impl WireStress {
         self.stretch + self.bending
     }
 
-    /// Von Mises' equivalent stress at the worst fibre, of pull or thrust.
+    /// Von Mises' equivalent stress at the worst fibre, of pull or thrust; a pressure alike from all sides and along the wire is none.
     #[must_use]
     pub fn equivalent(&self) -> f64 {
-        let axial = self.stretch.abs() + self.bending;
+        let axial = (self.stretch + self.sides).abs() + self.bending;
         libm::sqrt(axial * axial + 3.0 * self.twist * self.twist)
     }
 }
@@ -77,7 +79,7 @@ impl ExtensibleState {
             Fibre::All
         };
         let twist = 0.5 * self.ply.strand().stiffness_ratio() * self.torsion().abs();
-        WireStress { stretch: self.strain, bending: bending.abs(), twist, fibre }
+        WireStress { stretch: self.strain, bending: bending.abs(), twist, sides: 0.0, fibre }
     }
 
     /// Stresses in a core that is a solid round wire, over its own Young's modulus; `None` without a core that works.
@@ -87,10 +89,11 @@ impl ExtensibleState {
         let works = core.axial_stiffness() > 0.0;
         let turn = (self.rotation() - lay.rotation()) / lay.angle.cos();
         works.then(|| WireStress {
-            stretch: self.extension() / lay.angle.cos() - 1.0,
+            stretch: self.core_force() / core.axial_stiffness(),
             bending: 0.0,
             // G/E = GJ/EA · 2/r_c² for a solid round section
             twist: 2.0 * core.torsional_stiffness() / core.axial_stiffness() / core.radius() * turn.abs(),
+            sides: self.squeeze() / core.axial_stiffness(),
             fibre: Fibre::All,
         })
     }
