@@ -320,6 +320,28 @@ fn strength() {
     assert!(wound.contains("which no metal wire bears"), "{wound}");
 }
 
+/// Of ropes, and of strands on a strand, it is a wire within that first reaches its strength: there it uses all of it, and no other more.
+#[test]
+fn a_wire_of_a_strand_reaches_its_strength() {
+    let rope = text_of("examples/rope-6x7.toml")
+        .replace("poissons_ratio = 0.3", "poissons_ratio = 0.3\ntensile_strength = \"1770 MPa\"");
+    let on_a_strand =
+        "[[core.strand.layer]]\nwires = 6\nwire_diameter = \"2 mm\"\nlay_ratio = 14\nhand = \"left\"\nSTEEL\
+        [core.strand.core]\ndiameter = \"2.1 mm\"\nSTEEL\
+        [[layer]]\nwires = 12\nwire_diameter = \"2 mm\"\nlay_ratio = 12\nhand = \"right\"\nSTEEL"
+            .replace("STEEL", "youngs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\ntensile_strength = \"1770 MPa\"\n");
+    for text in [rope.as_str(), &on_a_strand] {
+        let force = number(&of_text(text, &[]), "force_at_strength_N");
+        let there = of_text(text, &["--force", &format!("{force:?} N")]);
+        let members = there["layers"].as_array().unwrap().iter().chain(std::iter::once(&there["core"]));
+        let used = members.filter_map(|member| member["strength_used"].as_f64()).fold(0.0, f64::max);
+        assert!((used - 1.0).abs() < 1e-9 && force < number(&there, "metallic_breaking_load_N"), "{used} at {force} N");
+    }
+    // one strength that is not known leaves it open
+    let open = rope.replacen("tensile_strength = \"1770 MPa\"", "", 1);
+    assert!(of_text(&open, &[])["force_at_strength_N"].is_null());
+}
+
 /// A core's stresses are those of its force: over its section along it, and with the pressure from the sides by von Mises, σz, −p, −p and a shear.
 #[test]
 fn stresses_of_a_core_are_those_of_its_force() {

@@ -1,6 +1,7 @@
 //! The one list of what is reported of a cable, of its core and of its layers.
 
 use core::f64::consts::PI;
+use core::ops::Deref;
 
 use nply::Handedness;
 use nply::mechanics::{Cable, CableGrips, CableState, LayerState, Rod};
@@ -23,6 +24,20 @@ pub(super) enum Sort {
 
 /// One reported number.
 pub(super) type Figure<T> = crate::report::figured::Figure<T, Sort>;
+
+/// The cable under its loads, with the strands that its core and rods may be.
+pub(super) struct Whole {
+    pub(super) state: CableState,
+    pub(super) strands: Vec<Option<Cable>>,
+}
+
+impl Deref for Whole {
+    type Target = CableState;
+
+    fn deref(&self) -> &CableState {
+        &self.state
+    }
+}
 
 /// One rod of the cable: its core, or a wire of a layer.
 pub(super) struct Member {
@@ -47,7 +62,7 @@ const STRENGTH: &str = "Strength";
 const OPENS: &str = "Margin to birdcaging (what presses least lets go)";
 
 #[rustfmt::skip] // a table: one row a line
-pub(super) static OF_CABLE: [Figure<CableState>; 24] = [
+pub(super) static OF_CABLE: [Figure<Whole>; 24] = [
     figure(STATE, "force", "force (tension +)", FORCE, |s| Some(s.force())),
     figure(STATE, "moment", "moment (right-handed +)", MOMENT, |s| Some(s.moment())),
     figure(STATE, "strain", "strain", Sort::Percent, |s| Some(s.strain())),
@@ -63,7 +78,7 @@ pub(super) static OF_CABLE: [Figure<CableState>; 24] = [
     figure(SMALL, "coupling", "coupling: moment per strain, force per turning", MOMENT, |s| Some(s.stiffness()?.coupling)),
     figure(SMALL, "torque_factor", "torque factor: change of moment/(of force × outer diameter)", Sort::Number, |s| if s.stiffness().is_some() || s.shares() { s.torque_factor() } else { None }),
     figure(SMALL, "unlay", "turning per force, ends free to turn", Sort::Unlay, |s| Some(s.stiffness()?.rotation_by_force())),
-    figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, CableState::contraction),
+    figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, |s| s.contraction()),
     figure(SMALL, "bending_stiffness_sliding", "bending stiffness, wires sliding freely", STIFFNESS, |s| Some(s.cable().sliding_bending_stiffness())),
     figure(STRENGTH, "metallic_breaking_load", "metallic breaking load: strength × section, summed", FORCE, |s| s.cable().metallic_breaking_load()),
     figure(STRENGTH, "force_at_strength", "a wire first reaches its strength at a force of, ends not turning", FORCE, force_at_strength),
@@ -154,13 +169,12 @@ pub(super) fn is_counted(m: &Member) -> bool {
     rod(m).is_some_and(|rod| rod.area() > 0.0)
 }
 
-/// The force at which, with ends that do not turn from here, a wire first reaches its tensile strength by stretch and bending. `None` unless all that
-/// counts as wire is solid, and its strength known.
-fn force_at_strength(s: &CableState) -> Option<f64> {
-    s.cable().metallic_breaking_load()?;
+/// The force at which, with ends that do not turn from here, a wire first reaches its tensile strength, be it a wire of a strand. `None`
+/// unless the strength of all that counts as wire is known.
+fn force_at_strength(s: &Whole) -> Option<f64> {
     let at = |strain: f64| s.cable().loaded(CableGrips::Clamped { strain, turning: s.turning() }).ok();
     let most_used = |state: &CableState| {
-        let mut used = members(state, &[]).into_iter().filter(is_counted).map(|m| strength_used(&m));
+        let mut used = members(state, &s.strands).into_iter().filter(is_counted).map(|m| strength_used(&m));
         used.try_fold(0.0, |most: f64, used| Some(most.max(used?)))
     };
     // from no strain up to where it is passed, then halved until nothing is left to halve

@@ -7,7 +7,7 @@ mod text;
 
 use nply::mechanics::{CableGrips, CableState, DesignedLay, LayerSupport, LetsGo};
 
-use figure::{Member, is_counted, members, modulus, strength_used, stress};
+use figure::{Member, Whole, is_counted, members, modulus, strength_used, stress};
 
 use crate::construction::{CableCase, CableQuestion};
 use crate::preferred::six_digits;
@@ -72,6 +72,10 @@ impl StiffnessReport {
 
     fn members(&self) -> Vec<Member> {
         members(&self.state, &self.case.strands)
+    }
+
+    fn whole(&self) -> Whole {
+        Whole { state: self.state.clone(), strands: self.case.strands.clone() }
     }
 
     /// Whether every layer is of strands.
