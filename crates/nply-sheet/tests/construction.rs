@@ -151,6 +151,16 @@ fn each_key_stands_once_in_the_list() {
     }
 }
 
+/// What is said of a strand belongs to its wires: where to write it is said.
+#[test]
+fn what_belongs_to_the_wires_of_a_strand_is_shown_its_place() {
+    let path = format!("{}/../../examples/rope-6x7.toml", env!("CARGO_MANIFEST_DIR"));
+    let rope = ConstructionSpec::from_toml("rope.toml", &std::fs::read_to_string(path).unwrap()).unwrap();
+    let strong = ConstructionSpec::from_flags([("wire-tensile-strength", "1770 MPa")]).unwrap();
+    let said = rope.overridden_by(&strong).unwrap().check().unwrap_err().to_string();
+    assert!(said.contains("write `tensile_strength` in [layer.strand.core] and [[layer.strand.layer]]"), "{said}");
+}
+
 /// The same strand of one metal throughout, its fibre cores too.
 fn of_one_metal(text: &str) -> String {
     let header = |line: &str| line.trim_matches(['[', ']']).to_owned();
