@@ -344,3 +344,20 @@ fn an_input_file_is_checked_as_the_table_is() {
         assert_eq!(names(0), names(1));
     }
 }
+
+/// Elements keep the length for which the lay was found: how far whole ones reach is said where it is more than was asked.
+#[test]
+fn a_length_of_whole_elements_is_said_where_it_is_more() {
+    // 177.8 mm in 24 elements: 14 of them are 103.717 mm
+    let asked = ["nodes", "examples/strand-7-wire.toml", "--length", "100 mm"];
+    let said = out(&asked);
+    assert!(said.contains("The nodes reach 103.717 mm, 14 whole elements: 100 mm would end within one."), "{said}");
+    for (name, _, points) in wires(&asked) {
+        let end = points.last().unwrap()[2];
+        assert!((end - 14.0 * 177.8 / 24.0).abs() < 1e-9, "{name} {end}");
+    }
+    for whole in [&["--length", "177.8 mm"][..], &["--lay-lengths", "2.5"], &[]] {
+        let said = out(&[&asked[..2], whole].concat());
+        assert!(!said.contains("whole element"), "{said}");
+    }
+}

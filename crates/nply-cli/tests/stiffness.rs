@@ -305,9 +305,12 @@ fn strength() {
     assert!(force > 130e3 && force < 1860e6 * area);
     let force = format!("{force:?} N");
     let there = json(&[&["stiffness", file, "--force", &force], &strong[..]].concat());
-    // the king wire is straight: σ = E times the strain
-    assert!((number(&there, "strain") * 205e9 / 1860e6 - 1.0).abs() < 1e-9);
-    assert!((number(&there["core"], "strength_used") - 1.0).abs() < 1e-9);
+    // of the outer wires, at their outer fibre: σ = E (strain + change of curvature × radius); the king wire is strained more, but pressed from all sides
+    let outer = &there["layers"][0];
+    let pull = 205e9 * number(outer, "wire_strain") + number(outer, "stress_bending_Pa");
+    assert!((pull / 1860e6 - 1.0).abs() < 1e-9 && (number(outer, "strength_used") - 1.0).abs() < 1e-9, "{pull}");
+    let king = number(&there["core"], "strength_used");
+    assert!(king < 1.0 && number(&there, "strain") * 205e9 > 1860e6, "{king}");
     // past it, it is said; and of no wires whose strength is not known
     let past = call(&[&["stiffness", file, "--force", "190 kN"], &strong[..]].concat()).out;
     assert!(past.contains("Past its tensile strength: the core and layer 1"), "{past}");
@@ -315,6 +318,67 @@ fn strength() {
     // what no wire bears is said without any strength
     let wound = call(&["stiffness", file, "--preforming", "0"]).out;
     assert!(wound.contains("which no metal wire bears"), "{wound}");
+}
+
+/// Of ropes, and of strands on a strand, it is a wire within that first reaches its strength: there it uses all of it, and no other more.
+#[test]
+fn a_wire_of_a_strand_reaches_its_strength() {
+    let rope = text_of("examples/rope-6x7.toml")
+        .replace("poissons_ratio = 0.3", "poissons_ratio = 0.3\ntensile_strength = \"1770 MPa\"");
+    let on_a_strand =
+        "[[core.strand.layer]]\nwires = 6\nwire_diameter = \"2 mm\"\nlay_ratio = 14\nhand = \"left\"\nSTEEL\
+        [core.strand.core]\ndiameter = \"2.1 mm\"\nSTEEL\
+        [[layer]]\nwires = 12\nwire_diameter = \"2 mm\"\nlay_ratio = 12\nhand = \"right\"\nSTEEL"
+            .replace("STEEL", "youngs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\ntensile_strength = \"1770 MPa\"\n");
+    for text in [rope.as_str(), &on_a_strand] {
+        let force = number(&of_text(text, &[]), "force_at_strength_N");
+        let there = of_text(text, &["--force", &format!("{force:?} N")]);
+        let members = there["layers"].as_array().unwrap().iter().chain(std::iter::once(&there["core"]));
+        let used = members.filter_map(|member| member["strength_used"].as_f64()).fold(0.0, f64::max);
+        assert!((used - 1.0).abs() < 1e-9 && force < number(&there, "metallic_breaking_load_N"), "{used} at {force} N");
+    }
+    // one strength that is not known leaves it open
+    let open = rope.replacen("tensile_strength = \"1770 MPa\"", "", 1);
+    assert!(of_text(&open, &[])["force_at_strength_N"].is_null());
+}
+
+/// A core's stresses are those of its force: over its section along it, and with the pressure from the sides by von Mises, σz, −p, −p and a shear.
+#[test]
+fn stresses_of_a_core_are_those_of_its_force() {
+    for (file, more) in [
+        ("examples/strand-7-wire.toml", &[][..]),
+        ("examples/strand-7-wire.toml", &["--moment", "0 N m"]),
+        ("examples/spiral-strand-1x19.toml", &["--force", "30 kN"]),
+        ("examples/rope-6x7.toml", &["--moment", "0 N m"]),
+    ] {
+        let said = json(&[&["stiffness", file], more].concat());
+        let core = &said["core"];
+        let along = number(core, "force_share_N") / number(core, "section_area_m2");
+        assert!((number(core, "stress_greatest_Pa") / along - 1.0).abs() < 1e-12, "{file} {along}");
+        let parts = number(core, "stress_stretch_Pa") + number(core, "stress_pressure_Pa");
+        assert!((parts / along - 1.0).abs() < 1e-12, "{file} {parts}");
+        let (sides, shear) = (number(core, "pressure_on_core_Pa"), number(core, "stress_twist_Pa"));
+        let tensor = [[along, 0.0, shear], [0.0, -sides, 0.0], [shear, 0.0, -sides]];
+        let mean = (tensor[0][0] + tensor[1][1] + tensor[2][2]) / 3.0;
+        let deviator = |i: usize, j: usize| tensor[i][j] - if i == j { mean } else { 0.0 };
+        let squares: f64 = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| deviator(i, j).powi(2)).sum();
+        let by_hand = (1.5 * squares).sqrt();
+        assert!((number(core, "stress_equivalent_Pa") / by_hand - 1.0).abs() < 1e-12, "{file} {by_hand}");
+    }
+    // 130 kN: 19.74 kN on 14.52 mm²
+    let core = &json(&["stiffness", "examples/strand-7-wire.toml"])["core"];
+    assert!((number(core, "stress_greatest_Pa") * 1e-6 - 1359.06).abs() < 0.01);
+}
+
+/// That no metal bears its stress is said of no fibre.
+#[test]
+fn a_fibre_core_is_no_metal_that_yields() {
+    let said = call(&["stiffness", "examples/rope-6x7.toml", "--moment", "0 N m"]).out;
+    assert!(!said.contains("no metal wire bears"), "{said}");
+    // the same core, were it of metal
+    let metal = text_of("examples/rope-6x7.toml").replace("fibre = true", "fibre = false");
+    let said = call_with(&["stiffness", "-", "--moment", "0 N m"], metal.as_bytes()).out;
+    assert!(said.contains("in the core, which no metal wire bears"), "{said}");
 }
 
 /// A wire turned back once a lay, against the hand, is left with no more twist than (1 − cos θ) turns a wire length of the lay: what writhe asks for.

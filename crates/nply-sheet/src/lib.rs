@@ -40,7 +40,7 @@ pub use diagnostic::{ErrorKind, Place, SpecError};
 pub use key::{Datum, KEYS, Key, Kind, Table};
 pub use preferred::PreferredUnits;
 pub use preset::{PRESETS, Preset, list_presets};
-pub use quantity::{Dimension, Quantity, QuantityError, Unit};
+pub use quantity::{Dimension, KnownUnit, Quantity, QuantityError, Unit, known_units, unit_prefixes};
 pub use report::{
     AngleLine, COLUMNS, ClearanceReport, Column, Extension, FitReport, Known, LaysReport, Link, LinkReport,
     LocusReport, Measure, PlyingReport, Reading, Report, Section, ShapeReport, SpecialPoint, StiffnessReport,

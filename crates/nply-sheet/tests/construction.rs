@@ -150,3 +150,59 @@ fn each_key_stands_once_in_the_list() {
         );
     }
 }
+
+/// What is said of a strand belongs to its wires: where to write it is said.
+#[test]
+fn what_belongs_to_the_wires_of_a_strand_is_shown_its_place() {
+    let path = format!("{}/../../examples/rope-6x7.toml", env!("CARGO_MANIFEST_DIR"));
+    let rope = ConstructionSpec::from_toml("rope.toml", &std::fs::read_to_string(path).unwrap()).unwrap();
+    let strong = ConstructionSpec::from_flags([("wire-tensile-strength", "1770 MPa")]).unwrap();
+    let said = rope.overridden_by(&strong).unwrap().check().unwrap_err().to_string();
+    assert!(said.contains("write `tensile_strength` in [layer.strand.core] and [[layer.strand.layer]]"), "{said}");
+}
+
+/// The same strand of one metal throughout, its fibre cores too.
+fn of_one_metal(text: &str) -> String {
+    let header = |line: &str| line.trim_matches(['[', ']']).to_owned();
+    let dropped = ["density", "material", "fibre"];
+    let lines = text.lines().filter(|line| !dropped.iter().any(|key| line.starts_with(key)));
+    let lines: Vec<&str> = lines.take_while(|line| *line != "[load]").collect();
+    let mut poured = String::new();
+    for (at, line) in lines.iter().enumerate() {
+        poured += &format!("{line}\n");
+        let next = lines.iter().skip(at + 1).find(|line| line.starts_with('['));
+        let of_strands = next.is_some_and(|next| header(next).starts_with(&format!("{}.strand", header(line))));
+        if line.starts_with('[') && (line.contains("core") || line.contains("layer")) && !of_strands {
+            poured += "density = \"7.85 g/cm^3\"\n";
+        }
+    }
+    poured
+}
+
+/// What a plane across cuts of a metal, times its density, is what a length of it weighs: of wires in strands in ropes as of wires alone.
+#[test]
+fn the_section_across_times_the_density_is_the_mass_per_length() {
+    let shelf = |folder: &str| std::fs::read_dir(format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let texts = shelf("../../examples").chain(shelf("presets")).map(|entry| entry.unwrap().path());
+    let texts = texts.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
+    let mut texts: Vec<String> = texts.map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    texts.retain(|text| nply_sheet::construction::is_layered(text));
+    assert!(texts.len() > 10);
+    let cored = "[[core.strand.layer]]\nwires = 6\nwire_diameter = \"2 mm\"\nlay_ratio = 9\nhand = \"left\"\n\
+        [core.strand.core]\ndiameter = \"2.1 mm\"\n\
+        [[layer]]\nwires = 12\nwire_diameter = \"2 mm\"\nlay_ratio = 11\nhand = \"right\"\n";
+    texts.push(cored.to_owned());
+    texts.push(
+        cored.replace("wire_diameter = \"2 mm\"\nlay_ratio = 11\n", "lay_ratio = 8\n") // a wire rope on such a core
+        + "[[layer.strand.layer]]\nwires = 3\nwire_diameter = \"0.9 mm\"\nlay_ratio = 6\nhand = \"left\"\n",
+    );
+    for text in texts {
+        let text = of_one_metal(&text);
+        let fit = ConstructionSpec::from_toml("s.toml", &text).unwrap().check_fit().unwrap();
+        let said: serde_json::Value = serde_json::from_str(&nply_sheet::FitReport::of(fit).json()).unwrap();
+        let number = |name: &str| said[name].as_f64().unwrap();
+        let (area, mass) = (number("metal_area_m2"), number("mass_per_length_kg_per_m"));
+        // the same but for rounding
+        assert!((7850.0 * area / mass - 1.0).abs() < 1e-14, "{area} m², {mass} kg/m\n{text}");
+    }
+}

@@ -242,10 +242,34 @@ impl ConstructionSpec {
     }
 }
 
+/// How the sections of wires are cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cut {
+    /// Each square to its own wire, as strength tables count.
+    Square,
+    /// All in one plane across: what the wires' length makes of it, strand in rope and wire in strand alike.
+    Across,
+}
+
+impl Cut {
+    /// Sections of the rods of a layer, each full of wire.
+    pub(crate) fn area(self, layer: &WireLayer) -> f64 {
+        match self {
+            Self::Square => f64::from(layer.wires()) * PI * layer.wire_radius() * layer.wire_radius(),
+            Self::Across => layer.metal_area(),
+        }
+    }
+
+    /// How much of such a rod's own section is wire: all of a solid one.
+    pub(crate) fn share(self, strand: Option<&Construction>) -> f64 {
+        strand.map_or(1.0, |strand| strand.solid_share(self))
+    }
+}
+
 impl Core {
     /// How much of its outline is metal: 0 of fibre, 1 of a king wire.
-    pub(crate) fn metal_share(&self) -> f64 {
-        if self.fibre { 0.0 } else { self.strand.as_deref().map_or(1.0, Construction::solid_share) }
+    pub(crate) fn metal_share(&self, cut: Cut) -> f64 {
+        if self.fibre { 0.0 } else { cut.share(self.strand.as_deref()) }
     }
 }
 
@@ -299,15 +323,14 @@ impl Construction {
         passed.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
 
-    /// How much of the outline's area is wire, sections counted square to each.
-    pub(crate) fn solid_share(&self) -> f64 {
+    /// How much of the outline's area is wire, in a plane across the strand or with each section counted square to its wire.
+    pub(crate) fn solid_share(&self, cut: Cut) -> f64 {
         let Ok(laid) = self.laid() else { return f64::NAN };
-        let share = |strand: Option<&Self>| strand.map_or(1.0, Self::solid_share);
-        let core = self.core.as_ref().map_or(0.0, |core| 0.25 * core.diameter * core.diameter * core.metal_share());
-        let wires = self.layers.iter().map(|layer| {
-            0.25 * f64::from(layer.wires) * layer.wire_diameter * layer.wire_diameter * share(layer.strand.as_deref())
-        });
-        wires.fold(core, |sum, squares| sum + squares) / (laid.outer_radius() * laid.outer_radius())
+        let core =
+            self.core.as_ref().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * core.metal_share(cut));
+        let layers = self.layers.iter().zip(laid.layers());
+        let wires = layers.map(|(layer, on)| cut.area(on) * cut.share(layer.strand.as_deref()));
+        wires.fold(core, |sum, area| sum + area) / (PI * laid.outer_radius() * laid.outer_radius())
     }
 
     /// Mass per length over the area of the outline; `None` where a density is missing.

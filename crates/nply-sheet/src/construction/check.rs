@@ -258,7 +258,12 @@ impl ConstructionSpec {
         let named = |kind| entries.iter().find(|entry| entry.key.kind == kind || is_material(entry.key.datum));
         let poisson = || entries.iter().find(|entry| entry.key.name == "poissons_ratio");
         if let Some(entry) = named(Kind::Density).or_else(|| named(Kind::Modulus)).or_else(poisson) {
-            let message = format!("{} belongs to the wires of the strand that is described below it", entry.said());
+            let of = if entry.key.table == Table::Core { "core" } else { "layer" };
+            let message = format!(
+                "{} belongs to the wires of the strand that is described below it: write `{}` in [{of}.strand.core] and [[{of}.strand.layer]]",
+                entry.said(),
+                entry.key.name
+            );
             return Err(entry.error(ErrorKind::Contradiction, message));
         }
         Ok(Stuff { density: strand.mean_density(), fibre: own.fibre, ..Stuff::default() })

@@ -26,6 +26,7 @@ mod written;
 use nply::geometry::WireLay;
 use nply::{DomainError, Handedness};
 
+pub(crate) use cable::Cut;
 pub use cable::{CableCase, CableQuestion};
 pub(crate) use check::GivenLayer;
 pub use fit::Fit;

@@ -8,6 +8,7 @@ mod unit;
 
 pub use dimension::Dimension;
 pub use error::QuantityError;
+pub use symbol::{KnownUnit, known_units, unit_prefixes};
 pub use unit::Unit;
 
 /// What was read: a number with a unit, in SI, or a bare number.
@@ -333,6 +334,29 @@ mod tests {
         ] {
             let said = Quantity::parse(text).unwrap_err().to_string();
             assert!(said.contains(part), "{text:?}: {said}");
+        }
+    }
+
+    /// What rope and wire trades write: taken where it is plain, else with what to write, of the same size.
+    #[test]
+    fn customary_units_are_taken_or_another_of_their_size_is_said() {
+        assert_eq!(si("28.6 Mpsi"), si("28.6 Msi"));
+        assert_eq!(si("30 kpsi"), si("30 ksi"));
+        assert_eq!(si("1250 daN"), 12_500.0);
+        assert_eq!(si("3 daNm"), 30.0);
+        for (word, meant) in [("mpsi", "Mpsi"), ("te", "tf"), ("tonnef", "tf"), ("klbf", "kip")] {
+            let said = Quantity::parse(&format!("5 {word}")).unwrap_err().to_string();
+            assert!(said.contains(&format!("did you mean `{meant}`?")), "{said}");
+        }
+        for (word, said) in [("kdaN", "10 kN"), ("tonf", "`tf` for 1000 kgf"), ("tons", "2240 lbf")] {
+            let refusal = Quantity::parse(&format!("5 {word}")).unwrap_err().to_string();
+            assert!(refusal.contains(said), "{refusal}");
+        }
+        // a unit behind a prefix that it does not take is not proposed without it
+        for word in ["kkgf", "Mlbf", "mpsi", "kin", "Mft"] {
+            let refusal = Quantity::parse(&format!("5 {word}")).unwrap_err().to_string();
+            let bare = word.get(1..).unwrap();
+            assert!(!refusal.contains(&format!("`{bare}`")), "{refusal}");
         }
     }
 

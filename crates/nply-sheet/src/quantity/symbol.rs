@@ -120,8 +120,8 @@ static SYMBOLS: [Symbol; 37] = [
     symbol(&["Pa"], 1.0, 0, Dimension::PRESSURE).prefixed(),
     symbol(&["bar"], 1.0, 5, Dimension::PRESSURE).prefixed(),
     symbol(&["psi"], LBF, -5, Dimension::PRESSURE).over(64_516.0),
-    symbol(&["ksi"], LBF, -2, Dimension::PRESSURE).over(64_516.0),
-    symbol(&["Msi"], LBF, 1, Dimension::PRESSURE).over(64_516.0),
+    symbol(&["ksi", "kpsi"], LBF, -2, Dimension::PRESSURE).over(64_516.0),
+    symbol(&["Msi", "Mpsi"], LBF, 1, Dimension::PRESSURE).over(64_516.0),
     symbol(&["J"], 1.0, 0, Dimension::MOMENT).prefixed(),
     // Boltzmann's constant, exact by definition; the temperature is that of the strands
     symbol(&["kT", "kBT"], 1_380_649.0, -29, Dimension { temperature: -1, ..Dimension::MOMENT }),
@@ -142,7 +142,7 @@ static SYMBOLS: [Symbol; 37] = [
     symbol(&["%"], 1.0, -2, Dimension::NUMBER),
 ];
 
-const PREFIXES: [(&str, i32); 15] = [
+const PREFIXES: [(&str, i32); 16] = [
     ("a", -18),
     ("f", -15),
     ("p", -12),
@@ -153,6 +153,7 @@ const PREFIXES: [(&str, i32); 15] = [
     ("m", -3),
     ("c", -2),
     ("d", -1),
+    ("da", 1),
     ("h", 2),
     ("k", 3),
     ("M", 6),
@@ -164,7 +165,13 @@ const PREFIXES: [(&str, i32); 15] = [
 const COMMON: [&str; 14] = ["nm", "µm", "um", "mm", "cm", "km", "pN", "nN", "mN", "cN", "kN", "kPa", "MPa", "GPa"];
 
 /// What some people write for units that have another name here.
-const OTHERWISE: [(&[&str], &str); 3] = [(&["A", "Ang", "ang", "Angs"], "Å"), (&["C"], "°C"), (&["F"], "°F")];
+const OTHERWISE: [(&[&str], &str); 5] = [
+    (&["A", "Ang", "ang", "Angs"], "Å"),
+    (&["C"], "°C"),
+    (&["F"], "°F"),
+    (&["te", "Te", "tonnef", "tonneforce", "Tf"], "tf"),
+    (&["klb", "klbs", "klbf"], "kip"),
+];
 
 /// Why a word that stands where a unit does, or all that stands there, is none, and what to write.
 pub(super) fn no_unit(word: &str) -> Option<&'static str> {
@@ -177,6 +184,10 @@ pub(super) fn no_unit(word: &str) -> Option<&'static str> {
         "wpi" | "WPI" => Some(
             "wraps per inch are no thickness: where 33 lie side by side in an inch, each is 1/33 inch thick, \"0.0303 inch\"",
         ),
+        "ton" | "tons" | "tonf" | "tonsf" => Some(
+            "a ton is of several sizes: write `tf` for 1000 kgf, \"2 kip\" for a short ton of 2000 lbf, \"2240 lbf\" for a long one",
+        ),
+        "kdaN" | "kdN" => Some("a unit takes one prefix: 1 kdaN is \"10 kN\""),
         "cc" => Some("a cubic centimetre is `cm^3`, and g/cc is `g/cm^3`"),
         "per" => {
             Some("write `/` for `per`: turns per inch are `turns/inch` or `tpi`, turns per metre `turns/m` or `tpm`")
@@ -184,6 +195,46 @@ pub(super) fn no_unit(word: &str) -> Option<&'static str> {
         "T/m" => Some("turns are written `turns`, and turns per metre `turns/m` or `tpm`"),
         _ => None,
     }
+}
+
+/// A unit that is understood, as it is listed for readers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct KnownUnit {
+    /// Its names, the usual one first.
+    pub names: &'static [&'static str],
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Whether its first name takes the [prefixes](unit_prefixes).
+    pub takes_prefixes: bool,
+}
+
+/// Every unit that is understood by itself; others are made of them by products, powers and `/`.
+///
+/// ```
+/// use nply_sheet::{Dimension, Unit, known_units};
+/// assert!(known_units().any(|unit| unit.names.contains(&"Msi") && unit.dimension == Dimension::PRESSURE));
+/// assert!(known_units().all(|unit| unit.names.iter().all(|name| Unit::parse(name).is_ok())));
+/// ```
+pub fn known_units() -> impl Iterator<Item = KnownUnit> {
+    SYMBOLS.iter().map(|symbol| KnownUnit {
+        names: symbol.names,
+        // what Boltzmann's constant is multiplied with is the temperature that is given beside it
+        dimension: Dimension {
+            temperature: if symbol.dimension.force == 0 { symbol.dimension.temperature } else { 0 },
+            ..symbol.dimension
+        },
+        takes_prefixes: symbol.prefixes,
+    })
+}
+
+/// The prefixes that units take, from the least to the greatest.
+///
+/// ```
+/// assert!(nply_sheet::unit_prefixes().any(|prefix| nply_sheet::Unit::parse(&format!("{prefix}N")).is_ok()));
+/// ```
+pub fn unit_prefixes() -> impl Iterator<Item = &'static str> {
+    PREFIXES.iter().map(|(prefix, _)| *prefix)
 }
 
 /// A symbol of the table with its prefix's power of ten.
@@ -211,6 +262,12 @@ pub(super) fn look_up_joined(word: &str) -> Option<[(Factor, Dimension); 2]> {
         .then_some([(force, force_dimension), (length, length_dimension)])
 }
 
+/// Whether it is that unit behind a prefix, which the unit does not take: many times as large or small, and so not what is meant. (`mmm` is a slip.)
+fn is_multiple_of(word: &str, name: &str) -> bool {
+    !COMMON.contains(&name)
+        && word.strip_suffix(name).is_some_and(|prefix| PREFIXES.iter().any(|(known, _)| *known == prefix))
+}
+
 /// The unit most likely meant by `word`.
 pub(super) fn nearest(word: &str) -> Option<&'static str> {
     let known = || COMMON.iter().copied().chain(SYMBOLS.iter().flat_map(|symbol| symbol.names.iter().copied()));
@@ -222,7 +279,8 @@ pub(super) fn nearest(word: &str) -> Option<&'static str> {
         if word.chars().count() < 2 {
             return None;
         }
-        known().filter(|name| name.chars().count() > 1).find(|name| strsim::osa_distance(name, word) == 1)
+        let mut near = known().filter(|name| name.chars().count() > 1 && !is_multiple_of(word, name));
+        near.find(|name| strsim::osa_distance(name, word) == 1)
     })
 }
 

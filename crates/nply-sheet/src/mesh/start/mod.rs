@@ -269,6 +269,26 @@ impl StartGeometry {
         !self.ply.layers.is_empty()
     }
 
+    /// How many elements make up the length; what is less than rounding is no element more.
+    fn whole_elements(&self) -> f64 {
+        libm::ceil(self.length / self.rise - 1e-9).max(1.0)
+    }
+
+    /// That the wires are longer than was wanted, where whole elements make them so: these keep their length, for which the lay was found.
+    fn rounded_up(&self, unit: &FileUnit, name: &str) -> Option<String> {
+        let whole = self.whole_elements();
+        let reached = whole * self.rise;
+        let told = |length: f64| six_digits(length * unit.per_radius);
+        let elements = if whole > 1.0 { "whole elements" } else { "whole element" };
+        (reached > self.length * (1.0 + 1e-9)).then(|| {
+            format!(
+                "The nodes reach {} {name}, {whole} {elements}: {} {name} would end within one.",
+                told(reached),
+                told(self.length)
+            )
+        })
+    }
+
     /// The nodes: of each wire as many elements as make up the length, rounded up to a whole one.
     ///
     /// # Errors
@@ -276,7 +296,7 @@ impl StartGeometry {
     pub fn chains(&self) -> Result<Vec<Chain>, SpecError> {
         const MOST_NODES: f64 = 20_000_000.0;
         let chords = self.element.chords();
-        let count = libm::ceil(self.length / self.rise - 1e-9).max(1.0) * f64::from(chords);
+        let count = self.whole_elements() * f64::from(chords);
         if count * f64::from(self.wires() + 1) > MOST_NODES {
             let message =
                 format!("more than {MOST_NODES} nodes would be needed: give a shorter length, or fewer elements");
@@ -405,6 +425,9 @@ impl StartGeometry {
             format!("Each wire's nodes stand {} elements farther along than those of the one before.", self.stagger)
         };
         let _ = writeln!(out, "\n{stand}");
+        if let Some(sentence) = self.rounded_up(unit, name) {
+            let _ = writeln!(out, "{sentence}");
+        }
         for sentence in self.ply.found_lays() {
             let _ = writeln!(out, "{sentence}");
         }

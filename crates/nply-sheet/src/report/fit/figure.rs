@@ -5,7 +5,7 @@ use nply::geometry::{FitFormula, WireLayer};
 use super::mass;
 use core::f64::consts::PI;
 
-use crate::construction::{Construction, Fit, GivenLayer};
+use crate::construction::{Cut, Fit, GivenLayer};
 use crate::report::figured::figure;
 
 /// A layer as laid, and what was said of it.
@@ -75,35 +75,18 @@ const STRAND: &str = "The strand";
 #[rustfmt::skip] // a table: one row a line
 pub(super) static OF_WHOLE: [Figure<Fit>; 7] = [
     figure(STRAND, "strand_outer_diameter", "outer diameter", Sort::Length, |w| Some(2.0 * w.strand.outer_radius())),
-    figure(STRAND, "metal_area", "sections in a plane across, the core's too unless of fibre", Sort::Area, |w| Some(metal_area(w))),
-    figure(STRAND, "wire_section_area", "sections across each wire, the core's too unless of fibre", Sort::Area, |w| Some(section_area(w))),
-    figure(STRAND, "fill_factor", "fill factor: sections across each wire/enclosing circle", Sort::Number, |w| Some(section_area(w) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
+    figure(STRAND, "metal_area", "sections in a plane across, the core's too unless of fibre", Sort::Area, |w| Some(area(w, Cut::Across))),
+    figure(STRAND, "wire_section_area", "sections across each wire, the core's too unless of fibre", Sort::Area, |w| Some(area(w, Cut::Square))),
+    figure(STRAND, "fill_factor", "fill factor: sections across each wire/enclosing circle", Sort::Number, |w| Some(area(w, Cut::Square) / (PI * w.strand.outer_radius() * w.strand.outer_radius()))),
     figure(STRAND, "mass_per_length", "mass per length", Sort::LinearDensity, |w| mass(w, w.strand.layers(), WireLayer::taken_angle)),
     figure(STRAND, "nominal_outer_diameter", "outer diameter, sum of diameters", Sort::Length, |w| w.nominal.last().map(|l| 2.0 * (l.lay_radius() + l.wire_radius()))),
     figure(STRAND, "nominal_mass_per_length", "mass per length, on sums of diameters", Sort::LinearDensity, |w| mass(w, &w.nominal, WireLayer::angle)),
 ];
 
-/// Sections in a plane across: of the wires alone, where the rods of a layer or the core are strands.
-fn metal_area(fit: &Fit) -> f64 {
+/// The sections of all that is metal, of the wires alone where the rods of a layer or the core are strands.
+fn area(fit: &Fit, cut: Cut) -> f64 {
+    let core = fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * core.metal_share(cut));
     let layers = fit.strand.layers().iter().zip(&fit.layers);
-    let layers = layers.map(|(layer, given)| layer.metal_area() * solid_share(given.strand.as_ref()));
-    layers.fold(core_area(fit), |sum, area| sum + area)
-}
-
-/// Σ n π r², the core's too: as strength tables count.
-fn section_area(fit: &Fit) -> f64 {
-    let layers = fit.strand.layers().iter().zip(&fit.layers).map(|(layer, given)| {
-        let r = layer.wire_radius();
-        f64::from(layer.wires()) * PI * r * r * solid_share(given.strand.as_ref())
-    });
-    layers.fold(core_area(fit), |sum, area| sum + area)
-}
-
-fn core_area(fit: &Fit) -> f64 {
-    fit.core().map_or(0.0, |core| 0.25 * PI * core.diameter * core.diameter * core.metal_share())
-}
-
-/// How much of its outline is wire; 1 of a wire.
-fn solid_share(strand: Option<&Construction>) -> f64 {
-    strand.map_or(1.0, Construction::solid_share)
+    let layers = layers.map(|(layer, given)| cut.area(layer) * cut.share(given.strand.as_ref()));
+    layers.fold(core, |sum, area| sum + area)
 }

@@ -1,6 +1,7 @@
 //! The one list of what is reported of a cable, of its core and of its layers.
 
 use core::f64::consts::PI;
+use core::ops::Deref;
 
 use nply::Handedness;
 use nply::mechanics::{Cable, CableGrips, CableState, LayerState, Rod};
@@ -23,6 +24,20 @@ pub(super) enum Sort {
 
 /// One reported number.
 pub(super) type Figure<T> = crate::report::figured::Figure<T, Sort>;
+
+/// The cable under its loads, with the strands that its core and rods may be.
+pub(super) struct Whole {
+    pub(super) state: CableState,
+    pub(super) strands: Vec<Option<Cable>>,
+}
+
+impl Deref for Whole {
+    type Target = CableState;
+
+    fn deref(&self) -> &CableState {
+        &self.state
+    }
+}
 
 /// One rod of the cable: its core, or a wire of a layer.
 pub(super) struct Member {
@@ -47,7 +62,7 @@ const STRENGTH: &str = "Strength";
 const OPENS: &str = "Margin to birdcaging (what presses least lets go)";
 
 #[rustfmt::skip] // a table: one row a line
-pub(super) static OF_CABLE: [Figure<CableState>; 24] = [
+pub(super) static OF_CABLE: [Figure<Whole>; 24] = [
     figure(STATE, "force", "force (tension +)", FORCE, |s| Some(s.force())),
     figure(STATE, "moment", "moment (right-handed +)", MOMENT, |s| Some(s.moment())),
     figure(STATE, "strain", "strain", Sort::Percent, |s| Some(s.strain())),
@@ -63,7 +78,7 @@ pub(super) static OF_CABLE: [Figure<CableState>; 24] = [
     figure(SMALL, "coupling", "coupling: moment per strain, force per turning", MOMENT, |s| Some(s.stiffness()?.coupling)),
     figure(SMALL, "torque_factor", "torque factor: change of moment/(of force × outer diameter)", Sort::Number, |s| if s.stiffness().is_some() || s.shares() { s.torque_factor() } else { None }),
     figure(SMALL, "unlay", "turning per force, ends free to turn", Sort::Unlay, |s| Some(s.stiffness()?.rotation_by_force())),
-    figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, CableState::contraction),
+    figure(SMALL, "contraction", "contraction of the outer diameter per strain", Sort::Number, |s| s.contraction()),
     figure(SMALL, "bending_stiffness_sliding", "bending stiffness, wires sliding freely", STIFFNESS, |s| Some(s.cable().sliding_bending_stiffness())),
     figure(STRENGTH, "metallic_breaking_load", "metallic breaking load: strength × section, summed", FORCE, |s| s.cable().metallic_breaking_load()),
     figure(STRENGTH, "force_at_strength", "a wire first reaches its strength at a force of, ends not turning", FORCE, force_at_strength),
@@ -80,7 +95,7 @@ const STRESS: &str = "Stress at the surface of a wire";
 const PRESS: &str = "What presses";
 
 #[rustfmt::skip] // a table: one row a line
-pub(super) static OF_MEMBER: [Figure<Member>; 24] = [
+pub(super) static OF_MEMBER: [Figure<Member>; 25] = [
     figure(SHAPE, "lay_angle", "lay angle", Sort::Degrees, |m| Some(m.layer?.angle.degrees())),
     figure(SHAPE, "lay_radius", "lay radius", LENGTH, |m| Some(m.layer?.radius)),
     figure(SHAPE, "wire_gap", "gap between neighbours", LENGTH, |m| Some(m.layer?.gap)),
@@ -91,11 +106,12 @@ pub(super) static OF_MEMBER: [Figure<Member>; 24] = [
     figure(SHARE, "force_fraction", "share of the force", Sort::Percent, |m| Some(force(m)? / loaded(m.state.force(), m)?)),
     figure(SHARE, "moment_share", "moment", MOMENT, moment),
     figure(STRESS, "stress_stretch", "from stretch", Sort::Stress, |m| Some(stress(m)?.stretch)),
+    figure(STRESS, "stress_pressure", "along a core, from the pressure on it", Sort::Stress, |m| if m.layer.is_none() { Some(stress(m)?.pressure) } else { None }),
     figure(STRESS, "stress_bending", "from bending", Sort::Stress, |m| Some(stress(m)?.bending)),
     figure(STRESS, "stress_twist", "shear from twist", Sort::Stress, |m| Some(stress(m)?.twist)),
-    figure(STRESS, "stress_greatest", "stretch and bending, greatest", Sort::Stress, greatest),
+    figure(STRESS, "stress_greatest", "stretch, pressure and bending, greatest", Sort::Stress, greatest),
     figure(STRESS, "stress_equivalent", "equivalent (von Mises), greatest", Sort::Stress, |m| Some(stress(m)?.equivalent())),
-    figure(STRESS, "strength_used", "stretch and bending, of the tensile strength", Sort::Percent, strength_used),
+    figure(STRESS, "strength_used", "stretch, pressure and bending, of the tensile strength", Sort::Percent, strength_used),
     figure(PRESS, "pressure_on_core", "on the core, evenly spread", Sort::Stress, |m| if m.layer.is_none() { m.state.pressure_on_core() } else { None }),
     figure(PRESS, "pressure_below", "force of a wire on what is below, per cable length", LINE, |m| Some(m.layer?.pressure_below)),
     figure(PRESS, "interstrand_pressure", "force between neighbours, per cable length", LINE, |m| Some(m.layer?.interstrand_pressure)),
@@ -124,19 +140,16 @@ fn rod(m: &Member) -> Option<Rod> {
     m.layer.map_or(m.state.cable().core(), |layer| Some(layer.layer.rod))
 }
 
-/// Stretch and bending where it is pulled most: of a solid wire, or of all the wires of a strand. These slide freely, and are bent as far as the strand is.
+/// Stretch, pressure and bending where it is pulled most: of a solid wire, or of all the wires of a strand. These slide freely, and are bent as far as the strand is.
 fn greatest(m: &Member) -> Option<f64> {
-    over_wires(m, |wire, bent| {
-        let stress = stress(wire)?;
-        Some(stress.stretch + stress.bending + modulus(wire)? * radius(wire)? * bent)
-    })
+    over_wires(m, |wire, bent| Some(stress(wire)?.pull() + modulus(wire)? * radius(wire)? * bent))
 }
 
 /// How much of its tensile strength that is, of the wire that uses most; `None` where a strength is not known.
 pub(super) fn strength_used(m: &Member) -> Option<f64> {
     over_wires(m, |wire, bent| {
         let (stress, rod) = (stress(wire)?, rod(wire)?);
-        let pull = stress.stretch + stress.bending + modulus(wire)? * radius(wire)? * bent;
+        let pull = stress.pull() + modulus(wire)? * radius(wire)? * bent;
         Some(pull * rod.area() / rod.breaking_load()?)
     })
 }
@@ -152,17 +165,16 @@ fn over_wires(m: &Member, of: impl Fn(&Member, f64) -> Option<f64>) -> Option<f6
 }
 
 /// Whether it counts as metal.
-fn is_counted(m: &Member) -> bool {
+pub(super) fn is_counted(m: &Member) -> bool {
     rod(m).is_some_and(|rod| rod.area() > 0.0)
 }
 
-/// The force at which, with ends that do not turn from here, a wire first reaches its tensile strength by stretch and bending. `None` unless all that
-/// counts as wire is solid, and its strength known.
-fn force_at_strength(s: &CableState) -> Option<f64> {
-    s.cable().metallic_breaking_load()?;
+/// The force at which, with ends that do not turn from here, a wire first reaches its tensile strength, be it a wire of a strand. `None`
+/// unless the strength of all that counts as wire is known.
+fn force_at_strength(s: &Whole) -> Option<f64> {
     let at = |strain: f64| s.cable().loaded(CableGrips::Clamped { strain, turning: s.turning() }).ok();
     let most_used = |state: &CableState| {
-        let mut used = members(state, &[]).into_iter().filter(is_counted).map(|m| strength_used(&m));
+        let mut used = members(state, &s.strands).into_iter().filter(is_counted).map(|m| strength_used(&m));
         used.try_fold(0.0, |most: f64, used| Some(most.max(used?)))
     };
     // from no strain up to where it is passed, then halved until nothing is left to halve
@@ -202,8 +214,9 @@ fn loaded(force: f64, m: &Member) -> Option<f64> {
     Some(force).filter(|force| force.abs() > least)
 }
 
+/// As made: strains and stresses are over sections as made.
 fn radius(m: &Member) -> Option<f64> {
-    m.layer.map_or(m.state.core_radius(), |layer| Some(layer.layer.rod.radius()))
+    Some(rod(m)?.radius())
 }
 
 pub(super) fn modulus(m: &Member) -> Option<f64> {
@@ -213,19 +226,25 @@ pub(super) fn modulus(m: &Member) -> Option<f64> {
 /// Stresses of a solid round wire, or of a core that is one.
 pub(super) struct Stress {
     pub(super) stretch: f64,
+    /// Of a core, along it: held at its strain, what presses on it from the sides pushes it as 2ν times that pressure. With the stretch it is the
+    /// force in the core over its section.
+    pub(super) pressure: f64,
     pub(super) bending: f64,
     pub(super) twist: f64,
+    /// Of a core, across it: what presses on its sides, evenly spread.
+    sides: f64,
 }
 
 impl Stress {
-    /// The greatest by von Mises.
-    pub(super) fn equivalent(&self) -> f64 {
-        libm::sqrt(self.axial() * self.axial() + 3.0 * self.twist * self.twist)
+    /// Along the wire, where it is pulled most.
+    fn pull(&self) -> f64 {
+        self.stretch + self.pressure + self.bending
     }
 
-    /// The greatest pull or thrust along the wire.
-    fn axial(&self) -> f64 {
-        self.stretch.abs() + self.bending
+    /// The greatest by von Mises, of what is along the wire, the pressure from the sides and the shear: alike from all sides and along it, a pressure is none.
+    pub(super) fn equivalent(&self) -> f64 {
+        let along = (self.stretch + self.pressure + self.sides).abs() + self.bending;
+        libm::sqrt(along * along + 3.0 * self.twist * self.twist)
     }
 }
 
@@ -236,17 +255,23 @@ pub(super) fn stress(m: &Member) -> Option<Stress> {
             let shear = 0.5 / (1.0 + layer.layer.rod.poissons_ratio());
             Stress {
                 stretch: modulus * layer.strain,
+                pressure: 0.0,
                 bending: modulus * layer.bending_strain.abs(),
                 twist: modulus * shear * layer.twist_strain.abs(),
+                sides: 0.0,
             }
         }
         None => {
             let core = m.state.cable().core()?;
             let shear = 0.5 / (1.0 + core.poissons_ratio());
+            let sides = m.state.pressure_on_core().unwrap_or(0.0);
+            let thinned = m.state.core_radius()? / core.radius();
             Stress {
                 stretch: modulus * m.state.strain(),
+                pressure: -2.0 * core.poissons_ratio() * sides * thinned,
                 bending: 0.0,
                 twist: modulus * shear * core.radius() * m.state.turning().abs(),
+                sides,
             }
         }
     })

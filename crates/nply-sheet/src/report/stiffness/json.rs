@@ -29,8 +29,9 @@ impl StiffnessReport {
         if let Some(title) = &self.case.construction.title {
             top.insert("title".into(), json!(title));
         }
+        let whole = self.whole();
         for figure in &OF_CABLE {
-            let (name, value) = self.named(figure, &self.state);
+            let (name, value) = self.named(figure, &whole);
             top.insert(name, json!(value));
         }
         top.insert("lifts_off".into(), json!(self.state.lifts()));
@@ -69,7 +70,7 @@ impl StiffnessReport {
     #[must_use]
     pub fn csv(&self) -> String {
         let mut out = String::new();
-        let cored = self.state.cable().core().is_some();
+        let (whole, cored) = (self.whole(), self.state.cable().core().is_some());
         for (at, member) in self.members().iter().enumerate() {
             let text =
                 |(name, value): (String, Option<f64>)| (name, value.map_or_else(String::new, |v| format!("{v:?}")));
@@ -79,7 +80,7 @@ impl StiffnessReport {
             cells.push(("wires".to_owned(), member.layer.map_or(1, |layer| layer.layer.strands).to_string()));
             cells.extend(OF_MEMBER.iter().map(|figure| text(self.named(figure, member))));
             cells.extend(OF_CABLE.iter().map(|figure| {
-                let (name, value) = text(self.named(figure, &self.state));
+                let (name, value) = text(self.named(figure, &whole));
                 (format!("cable_{name}"), value)
             }));
             let (names, values): (Vec<String>, Vec<String>) = cells.into_iter().unzip();

@@ -7,7 +7,7 @@ mod text;
 
 use nply::mechanics::{CableGrips, CableState, DesignedLay, LayerSupport, LetsGo};
 
-use figure::{Member, members, modulus, strength_used, stress};
+use figure::{Member, Whole, is_counted, members, modulus, strength_used, stress};
 
 use crate::construction::{CableCase, CableQuestion};
 use crate::preferred::six_digits;
@@ -72,6 +72,10 @@ impl StiffnessReport {
 
     fn members(&self) -> Vec<Member> {
         members(&self.state, &self.case.strands)
+    }
+
+    fn whole(&self) -> Whole {
+        Whole { state: self.state.clone(), strands: self.case.strands.clone() }
     }
 
     /// Whether every layer is of strands.
@@ -211,9 +215,11 @@ impl StiffnessReport {
         let cored = usize::from(self.state.cable().core().is_some());
         let named = |at: usize| if at < cored { "the core".to_owned() } else { format!("layer {}", at + 1 - cored) };
         let broken = |m: &Member| strength_used(m).is_some_and(|used| used > 1.0);
-        // strands of a rope, and what is not solid, have no stress here
-        let absurd =
-            |m: &Member| matches!((stress(m), modulus(m)), (Some(s), Some(modulus)) if s.equivalent() > modulus / 50.0);
+        // strands of a rope, and what is not solid, have no stress here; fibre is strained as no metal is
+        let absurd = |m: &Member| {
+            is_counted(m)
+                && matches!((stress(m), modulus(m)), (Some(s), Some(modulus)) if s.equivalent() > modulus / 50.0)
+        };
         let all = |is: &dyn Fn(&Member) -> bool| {
             let found = members.iter().enumerate().filter(|(_, m)| is(m)).map(|(at, _)| named(at));
             found.collect::<Vec<_>>().join(" and ")

@@ -17,8 +17,9 @@ impl StiffnessReport {
         let mut out = String::new();
         let _ = writeln!(out, "{}", emphasis.heading(&self.headline()));
         let mut parts: Vec<(&str, Vec<Row>)> = Vec::new();
+        let whole = self.whole();
         for figure in &OF_CABLE {
-            self.put(&mut parts, figure, &OF_CABLE, core::slice::from_ref(&self.state));
+            self.put(&mut parts, figure, &OF_CABLE, core::slice::from_ref(&whole));
         }
         lay_out(&mut out, &parts, &emphasis);
         let members = self.members();
