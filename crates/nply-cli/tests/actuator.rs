@@ -185,7 +185,7 @@ fn a_stroke_a_torque_and_a_tension_give_their_turns() {
 fn the_help_says_where_strings_stretch() {
     for verb in ["actuator", "spin"] {
         let help = out(&[verb, "--help"]);
-        let of_flag = help.split("--stretch ").nth(1).unwrap_or_else(|| help.split("--stretch[").nth(1).unwrap());
+        let of_flag = help.split("      --stretch ").nth(1).unwrap();
         let of_flag = of_flag.split("      --").next().unwrap();
         assert!(of_flag.contains("Not taken here") && of_flag.contains("`nply trace`"), "{verb}: {of_flag}");
     }

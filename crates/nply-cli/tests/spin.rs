@@ -174,6 +174,8 @@ fn which_way_a_ply_snarls_and_what_does_not_go_in_is_said() {
     assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "7 tpi S"]).contains("snarls Z"));
     assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "4 tpi S"]).contains("snarls S"));
     assert!(notes(&["--turns-per-length", "4000 tpm Z"]).contains("do not go into a ply"));
+    // 850 tpm: between the most turns, at 50.6 degrees, and 1/(2 · 0.5 mm) = 1000 tpm of flat rings
+    assert!(notes(&["--turns-per-length", "1275 tpm Z"]).contains("beyond the angle of the most turns"));
     assert!(!notes(&["--turns-per-length", "8 tpi Z"]).contains("do not go into a ply"));
 }
 
