@@ -89,6 +89,7 @@ fn what_the_trade_writes_is_answered_with_what_is_read() {
         ("diameter", "1/33 inch", "\"0.030303 inch\""),
         ("diameter", "5/32 in", "\"0.15625 in\""),
         ("diameter", "1 1/4in", "\"1.25 in\""),
+        ("diameter", "-1 1/4 in", "\"-1.25 in\""),
         ("stiffness-ratio", "3/4", "\"0.75\""),
         ("density", "1.38 g/cc", "`g/cm^3`"),
         ("diameter", "12 D", "`lay_ratio`"),

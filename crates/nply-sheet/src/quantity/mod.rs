@@ -222,7 +222,9 @@ impl Quantity {
         };
         let below = Decimal::read(behind.trim_start())?;
         let unit = below.rest.trim_start();
-        let value = whole + above / below.value()?;
+        // -1 1/2 is -1.5
+        let fraction = above / below.value()?;
+        let value = if whole < 0.0 { whole - fraction } else { whole + fraction };
         let six_digits: f64 = format!("{value:.5e}").parse().ok()?;
         let read = value.is_finite() && (unit.is_empty() || Unit::parse(unit).is_ok());
         read.then(|| format!("{six_digits} {unit}").trim_end().to_owned())
