@@ -47,6 +47,15 @@ pub(crate) fn with_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Comm
     })
 }
 
+/// The same where strands do not stretch: what only those that do have is refused, and the help says where it is taken.
+pub(crate) fn without_stretch(command: Command) -> Command {
+    ["stretch", "axial-stiffness", "thinning-ratio"].into_iter().fold(command, |command, name| {
+        command.mut_arg(name, |flag| {
+            flag.help("Not taken here: strands that stretch are asked of `nply support` and `nply trace`")
+        })
+    })
+}
+
 /// FILE and one flag a key of a layered strand; those of a layer may be repeated.
 pub(crate) fn with_construction_keys(command: Command, wanted: impl Fn(&Key) -> bool) -> Command {
     let file = Arg::new("file").value_name("FILE").help("A TOML file with the strand; `-` reads standard input");

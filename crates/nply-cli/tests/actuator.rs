@@ -169,10 +169,25 @@ fn a_stroke_a_torque_and_a_tension_give_their_turns() {
         (&["--tension", "-3 N"], 2, "is no tension"),
         (&["--torque", "1e9 N mm"], 1, "next to which it is without bound"),
         (&["--torque", "9 N"], 2, "is no torque"),
+        (&["--stroke", "30"], 2, "\"30\" has no unit: what is wanted is a length greater than 0, such as \"30 mm\""),
+        (&["--torque", "5"], 2, "\"5\" has no unit"),
+        (&["--tension", "5"], 2, "\"5\" has no unit"),
+        // strings that stretch are another command's, and no flag leads there
+        (&["--axial-stiffness", "5000 N"], 2, "`nply support` and `nply trace` know strands that do, with `--stretch`"),
         (&["--stroke", "9 mm", "--motor-turns", "3"], 2, "leave one of them out"),
     ] {
         let answer = call(&[&base[..], more].concat());
         assert!(answer.code == code && answer.err.contains(said), "{more:?}: {} {}", answer.code, answer.err);
+    }
+}
+
+#[test]
+fn the_help_says_where_strings_stretch() {
+    for verb in ["actuator", "spin"] {
+        let help = out(&[verb, "--help"]);
+        let of_flag = help.split("      --stretch ").nth(1).unwrap();
+        let of_flag = of_flag.split("      --").next().unwrap();
+        assert!(of_flag.contains("Not taken here") && of_flag.contains("`nply trace`"), "{verb}: {of_flag}");
     }
 }
 

@@ -174,5 +174,60 @@ fn which_way_a_ply_snarls_and_what_does_not_go_in_is_said() {
     assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "7 tpi S"]).contains("snarls Z"));
     assert!(notes(&["--turns-per-length", "8 tpi Z", "--ply-turns-per-length", "4 tpi S"]).contains("snarls S"));
     assert!(notes(&["--turns-per-length", "4000 tpm Z"]).contains("do not go into a ply"));
+    // 850 tpm: between the most turns, at 50.6 degrees, and 1/(2 · 0.5 mm) = 1000 tpm of flat rings
+    assert!(notes(&["--turns-per-length", "1275 tpm Z"]).contains("beyond the angle of the most turns"));
     assert!(!notes(&["--turns-per-length", "8 tpi Z"]).contains("do not go into a ply"));
+}
+
+/// The energy of n strands per strand length, n(κ² + γ(φ̄a + ετ)²)/2, and the rotation ε sin θ/ρ: dE/d(rotation) is the moment that holds the free
+/// end, and it turns, let go, the way in which E falls. Turns per strand length have a most, beyond which a closer ply has fewer of them.
+#[test]
+fn a_free_end_turns_the_way_its_energy_falls_on_either_side_of_the_most_turns() {
+    let given = |strands: &str, tpm: f64| {
+        let singles = ["--diameter", "0.3 mm", "--stiffness-ratio", "0.75", "--turns-per-length", "1000 tpm Z"];
+        let lay = format!("{tpm} tpm");
+        json(&[&["spin", "--json", "--strands", strands, "--ply-turns-per-length", &lay], &singles[..]].concat())
+    };
+    let pretwist = TAU * 1000.0 * 0.15e-3;
+    let energy_and_rotation = |strands: &str, tpm: f64| {
+        let report = given(strands, tpm);
+        let ply = ply(&report, "given");
+        let (angle, rho) = (number(ply, "helical_angle_deg").to_radians(), 0.5 * number(ply, "outer_diameter") - 1.0);
+        let (curvature, torsion) = (angle.sin().powi(2) / rho, angle.sin() * angle.cos() / rho);
+        let n: f64 = strands.parse().unwrap();
+        let energy = 0.5 * n * (curvature * curvature + 0.75 * (pretwist + tpm.signum() * torsion).powi(2));
+        (energy, tpm.signum() * angle.sin() / rho)
+    };
+    // singles are Z: plies of the other hand, and of the same
+    for (strands, tpm, beyond) in [
+        ("2", -500.0, false),
+        ("2", -1000.0, false),
+        ("2", -1300.0, true),
+        ("3", -400.0, false),
+        ("3", -700.0, false),
+        ("3", -790.0, false),
+        ("3", -800.0, true),
+        ("3", -950.0, true),
+        ("3", 300.0, false),
+        ("3", 780.0, false),
+        ("3", 900.0, true),
+    ] {
+        let at = |share: f64| energy_and_rotation(strands, tpm * share);
+        let ((e0, r0), (e1, r1)) = (at(1.0 - 1e-5), at(1.0 + 1e-5));
+        let slope = (e1 - e0) / (r1 - r0);
+        let report = given(strands, tpm);
+        let moment = number(ply(&report, "given"), "moment");
+        assert!((moment / slope - 1.0).abs() < 1e-4, "{strands}, {tpm}: {moment} is not {slope}");
+        let notes = report["notes"].to_string();
+        // turned Z, the rotation grows
+        let turns = if slope > 0.0 { "Its free end turns S" } else { "Its free end turns Z" };
+        let through_straight = notes.contains("turns back through straight");
+        assert!(notes.contains(turns) || through_straight && slope > 0.0, "{strands}, {tpm}, {slope}: {notes}");
+        assert_eq!(through_straight, tpm > 0.0 && e1 > e0, "{strands}, {tpm}: {notes}");
+        assert_eq!((r1.abs() < r0.abs(), notes.contains("more do not go in")), (beyond, beyond), "{tpm}: {notes}");
+    }
+    let notes = given("3", -800.0)["notes"].to_string();
+    // Ω r = 2π times 0.162634 turns per diameter (`nply lays`), in singles of 0.3 mm 542.11 per metre
+    assert!(notes.contains("go 542.11") && notes.contains("tpm at most"), "{notes}");
+    assert!(notes.contains("turns S until") && notes.contains("and Z from there") && !notes.contains("untwists"));
 }

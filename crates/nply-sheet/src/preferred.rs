@@ -2,7 +2,8 @@
 
 use crate::{Dimension, Unit};
 
-/// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value.
+/// Per dimension the unit that was written first in the input; where none was, one with a prefix that suits the value. Turns per length go by a length in
+/// inches or feet.
 ///
 /// Strand and core sizes go before the lengths of strand and ply, which are often in metres where all else is in millimetres.
 ///
@@ -68,6 +69,14 @@ impl PreferredUnits {
     pub fn unit(&self, dimension: Dimension, si: f64) -> Unit {
         if let Some(unit) = self.written(dimension) {
             return unit.clone();
+        }
+        // turns go by the length where that is nobody's metre: an inch's are turns per inch
+        if let (Dimension::ANGLE_PER_LENGTH, Some(length)) = (dimension, self.written(Dimension::LENGTH))
+            && !length.is_decimal()
+            && let Ok(unit) = Unit::parse(&format!("turns/{length}"))
+            && unit.dimension() == dimension
+        {
+            return unit;
         }
         if let (Some(force), Some(length)) = (self.written(Dimension::FORCE), self.written(Dimension::LENGTH)) {
             let together = match dimension {
@@ -191,6 +200,24 @@ mod tests {
             (1.234_567_8e-7, "1.23456e-7"),
         ] {
             assert_eq!(six_digits_within(limit), text);
+        }
+    }
+
+    #[test]
+    fn turns_go_by_a_length_that_is_no_metre() {
+        let per_inch = 8.0 / 0.0254 * core::f64::consts::TAU;
+        let format = |lengths: &[&str]| {
+            let written = lengths.iter().map(|text| Unit::parse(text).unwrap());
+            PreferredUnits::of_units(written).format(Dimension::ANGLE_PER_LENGTH, per_inch)
+        };
+        for (lengths, text) in [
+            (&["inch"][..], "8 turns/inch"),
+            (&["in"], "8 turns/in"),
+            (&["ft"], "96 turns/ft"),
+            (&["inch", "tpm"], "314.961 tpm"),
+            (&["mm"], "314.961 turns/m"),
+        ] {
+            assert_eq!(format(lengths), text);
         }
     }
 

@@ -80,12 +80,17 @@ fn a_titre_is_mass_per_length_and_a_count_length_per_mass() {
 /// What is written on cones, in handbooks and on spindles, and what to write here.
 #[test]
 fn what_the_trade_writes_is_answered_with_what_is_read() {
-    let base = [("strands", "2"), ("stiffness-ratio", "1")];
+    let base = [("strands", "2")];
     for (flag, written, hint) in [
         ("turns-per-length", "1100 T/m", "`tpm`"),
         ("turns-per-length", "1100 t/m Z", "`tpm`"),
         ("turns-per-length", "8 turns per inch", "`tpi`"),
         ("diameter", "33 wpi", "\"0.0303 inch\""),
+        ("diameter", "1/33 inch", "\"0.030303 inch\""),
+        ("diameter", "5/32 in", "\"0.15625 in\""),
+        ("diameter", "1 1/4in", "\"1.25 in\""),
+        ("diameter", "-1 1/4 in", "\"-1.25 in\""),
+        ("stiffness-ratio", "3/4", "\"0.75\""),
         ("density", "1.38 g/cc", "`g/cm^3`"),
         ("diameter", "12 D", "`lay_ratio`"),
     ] {
@@ -254,4 +259,24 @@ fn what_people_of_a_trade_write_is_read_or_answered() {
     }
     let list = ConstructionSpec::from_flags([("strands", "6,12")]).unwrap_err().to_string();
     assert!(list.contains("a whole number, such as 3, once for each layer"), "{list}");
+}
+
+/// Flat rings on top of each other lie a strand diameter apart: n diameters in a turn, 1/(3 · 0.3 mm) = 1111.1 turns/m.
+#[test]
+fn turns_that_cannot_lie_so_closely_are_told_their_limit_as_turns() {
+    let base = [("strands", "3"), ("stiffness-ratio", "1")];
+    let said = |more: &[(&'static str, &'static str)]| {
+        let case = spec(&[&base[..], more].concat()).check_plying().unwrap();
+        nply_sheet::PlyingReport::of(case).unwrap_err().to_string()
+    };
+    let sized = [("diameter", "0.3 mm"), ("turns-per-length", "1000 tpm Z")];
+    for (written, limit) in
+        [("1200 tpm S", "1111.11 tpm"), ("30 tpi S", "28.2222 tpi"), ("2 turns/mm Z", "1.11111 turns/mm")]
+    {
+        let said = said(&[&sized[..], &[("ply-turns-per-length", written)]].concat());
+        assert!(said.contains(&format!("less than {limit},")) && !said.contains("lay_length"), "{said}");
+    }
+    // 1/(2 · 3) in turns per strand radius
+    let said = said(&[("pretwist", "1"), ("ply-turns-per-length", "0.5 S")]);
+    assert!(said.contains("less than 0.166666 turns per strand radius"), "{said}");
 }

@@ -4,7 +4,7 @@ use clap::{Arg, ArgMatches, Command};
 use nply_sheet::{Key, Kind, StringsGoal, StringsReport, Table};
 
 use super::Verb;
-use crate::arguments::{count, format, json, value_name, with_keys};
+use crate::arguments::{count, format, json, value_name, with_keys, without_stretch};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{self, Format};
@@ -49,7 +49,7 @@ fn arguments(command: Command) -> Command {
         Table::Ends => !key.name.starts_with("length"),
         _ => false,
     };
-    with_keys(command, wanted)
+    without_stretch(with_keys(command, wanted))
         .arg(motor_turns())
         .args(GOALS.map(|(name, help)| {
             let others = GOALS.map(|(name, _)| name).into_iter().filter(move |other| *other != name);

@@ -4,7 +4,7 @@ use clap::{ArgMatches, Command};
 use nply_sheet::{Key, PlyingReport, Table};
 
 use super::Verb;
-use crate::arguments::{format, json, with_keys};
+use crate::arguments::{format, json, with_keys, without_stretch};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{self, Format};
@@ -34,7 +34,7 @@ fn arguments(command: Command) -> Command {
     let wanted = |key: &Key| {
         matches!(key.table, Table::Ply | Table::Strand | Table::Twist | Table::Lay) && key.name != "strand_twist"
     };
-    with_keys(command, wanted).arg(format()).arg(json()).after_help(EXAMPLES)
+    without_stretch(with_keys(command, wanted)).arg(format()).arg(json()).after_help(EXAMPLES)
 }
 
 fn run(arguments: &ArgMatches) -> Result<(), Failure> {

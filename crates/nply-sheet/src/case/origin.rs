@@ -5,7 +5,7 @@ use nply::geometry::SpecialLays;
 
 use super::ends;
 use crate::key::Group;
-use crate::preferred::six_digits;
+use crate::preferred::{six_digits, six_digits_within};
 use crate::spec::{Entry, Spec, Value};
 use crate::{Case, Datum, ErrorKind, Place, Quantity, Question, SpecError};
 
@@ -53,7 +53,7 @@ impl Origins {
             let message = format!("no ply can be like this: {quantity} = {}{unit} must be {allowed}", short(value));
             return SpecError::new(ErrorKind::Domain, self.head.clone(), message).of_key(quantity);
         };
-        if let Some(message) = self.too_narrow(entry, error) {
+        if let Some(message) = self.too_narrow(entry, error).or_else(|| self.too_close(entry, error)) {
             return entry.error(ErrorKind::Domain, message);
         }
         let said = entry.said();
@@ -93,6 +93,29 @@ impl Origins {
             format!("with it R/r is {ratio}, and {strands} touching strands need at least {least}, here {needed}")
         };
         Some(format!("{}: {room}", entry.said()))
+    }
+
+    /// What is to be said of turns that lie closer than strands are thick: the limit, in the words of whoever wrote it.
+    fn too_close(&self, entry: &Entry, error: &DomainError) -> Option<String> {
+        let strands = self.entries.iter().find(|entry| entry.key.datum == Datum::Strands)?.number();
+        // flat rings on top of each other: the lay length is n strand diameters
+        let least = 2.0 * strands;
+        let of_turns = entry.key.datum == Datum::PlyTurnsPerLength && error.quantity == "lay_length";
+        if !(of_turns && error.value > 0.0 && error.value < least) {
+            return None;
+        }
+        let most = entry.number().abs() * (error.value / least);
+        let most = match &entry.value {
+            Value::Quantity(Quantity::Measured { unit, .. }) => {
+                format!("{} {unit}", six_digits_within(unit.of_si(most)))
+            }
+            _ => format!("{} turns per strand radius", six_digits_within(most)),
+        };
+        Some(format!(
+            "{}: {strands} touching strands cannot be laid so closely; it must be less than {most}, at which the lay length is {strands} strand diameters \
+             and the strands are flat rings on top of each other",
+            entry.said()
+        ))
     }
 
     /// A refusal said at a datum, at another of its group, or at the head of the input.

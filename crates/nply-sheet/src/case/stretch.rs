@@ -47,7 +47,14 @@ pub(super) fn refuse(spec: &Spec, whose: &str) -> Result<(), SpecError> {
         );
         return Err(entry.error(ErrorKind::Contradiction, message));
     }
-    none(spec)
+    let Some(entry) = spec.entries.iter().find(|entry| is_of_stretch(entry)) else { return Ok(()) };
+    let message = format!(
+        "{} counts only where strands stretch, and {whose} do not stretch here; `nply support` and `nply trace` know strands that do, with {}: \
+         remove it",
+        entry.said(),
+        spec.ask_for(Datum::Stretch)
+    );
+    Err(entry.error(ErrorKind::Contradiction, message))
 }
 
 /// A ply of strands that stretch.

@@ -27,6 +27,14 @@ pub enum QuantityError {
         /// What was read, quoted.
         read: String,
     },
+    /// A fraction, 5/32, which may have a whole number before it.
+    #[error("{read} has a fraction; write a decimal number, \"{decimal}\"")]
+    Fraction {
+        /// What was read, quoted.
+        read: String,
+        /// The same to six digits, with its unit.
+        decimal: String,
+    },
     /// NaN or infinity.
     #[error("{read} is not a finite number; no ply has it")]
     NotFinite {

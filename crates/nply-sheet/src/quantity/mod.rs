@@ -75,6 +75,10 @@ impl<'t> Decimal<'t> {
         Some(Self { mantissa: format!("{sign}0{whole}.{fraction}0"), exponent, rest })
     }
 
+    fn value(&self) -> Option<f64> {
+        format!("{}e{}", self.mantissa, self.exponent).parse().ok()
+    }
+
     fn is_zero(&self) -> bool {
         self.mantissa.chars().all(|c| !c.is_ascii_digit() || c == '0')
     }
@@ -124,14 +128,15 @@ impl Quantity {
         }
         let in_range = |value: f64| value.is_finite() && (value != 0.0 || decimal.is_zero());
         if after.is_empty() {
-            let value: f64 = format!("{}e{}", decimal.mantissa, decimal.exponent)
-                .parse()
-                .map_err(|_| QuantityError::NotANumber { read: quoted() })?;
+            let value = decimal.value().ok_or_else(|| QuantityError::NotANumber { read: quoted() })?;
             return if in_range(value) {
                 Ok(Self::Bare(value))
             } else {
                 Err(QuantityError::OutOfRange { read: quoted() })
             };
+        }
+        if let Some(decimal) = Self::of_fraction(&decimal) {
+            return Err(QuantityError::Fraction { read: quoted(), decimal });
         }
         let unit = Unit::parse(after)?;
         match unit.si_of_decimal(&decimal.mantissa, decimal.exponent) {
@@ -206,6 +211,24 @@ impl Quantity {
         } else {
             Err(QuantityError::OutOfRange { read: crate::quoted(read) })
         }
+    }
+
+    /// `5/32 in`, or `1 5/32 in`, from its first number on: `0.15625 in`.
+    fn of_fraction(first: &Decimal<'_>) -> Option<String> {
+        let above =
+            |number: &Decimal<'_>| Some((number.value()?, number.rest.trim_start().strip_prefix('/')?.to_owned()));
+        let (whole, (above, behind)) = match above(first) {
+            Some(fraction) => (0.0, fraction),
+            None => (first.value()?, above(&Decimal::read(first.rest.trim_start())?)?),
+        };
+        let below = Decimal::read(behind.trim_start())?;
+        let unit = below.rest.trim_start();
+        // -1 1/2 is -1.5
+        let fraction = above / below.value()?;
+        let value = if whole < 0.0 { whole - fraction } else { whole + fraction };
+        let six_digits: f64 = format!("{value:.5e}").parse().ok()?;
+        let read = value.is_finite() && (unit.is_empty() || Unit::parse(unit).is_ok());
+        read.then(|| format!("{six_digits} {unit}").trim_end().to_owned())
     }
 
     /// `R 74 tex/2`: 74 tex for a ply of two.

@@ -54,17 +54,20 @@ impl StringsGoal {
     /// # Errors
     /// [`SpecError`] at the flag of that name.
     pub fn read(name: &str, text: &str) -> Result<Self, SpecError> {
-        let (dimension, of): (_, fn(f64) -> Self) = match name {
-            "stroke" => (Dimension::LENGTH, Self::Stroke),
-            "torque" => (Dimension::MOMENT, Self::Torque),
-            _ => (Dimension::FORCE, Self::Tension),
+        let (dimension, example, of): (_, _, fn(f64) -> Self) = match name {
+            "stroke" => (Dimension::LENGTH, "30 mm", Self::Stroke),
+            "torque" => (Dimension::MOMENT, "5 N mm", Self::Torque),
+            _ => (Dimension::FORCE, "12 N", Self::Tension),
         };
         let refuse = |kind, message| SpecError::new(kind, Place::Flag(name.to_owned()), message);
         match Quantity::parse(text).map_err(|why| refuse(ErrorKind::Syntax, why.to_string()))? {
             Quantity::Measured { si, unit } if unit.dimension() == dimension && si > 0.0 => Ok(of(si)),
-            _ => {
-                let message =
-                    format!("{} is no {name}; what is wanted is {dimension} greater than 0", crate::quoted(text));
+            read => {
+                let wrong = match read {
+                    Quantity::Bare(_) => format!("{} has no unit", crate::quoted(text)),
+                    Quantity::Measured { .. } => format!("{} is no {name}", crate::quoted(text)),
+                };
+                let message = format!("{wrong}: what is wanted is {dimension} greater than 0, such as \"{example}\"");
                 Err(refuse(ErrorKind::WrongUnit, message))
             }
         }

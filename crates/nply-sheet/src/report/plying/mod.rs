@@ -1,5 +1,7 @@
 //! Singles and the ply they make: what `nply spin` says.
 
+mod notes;
+
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
@@ -149,7 +151,7 @@ impl PlyingReport {
             let rule = ply.angle_of_twist_ratio(TWO_THIRDS).map_err(located)?;
             rules.push((balance, rule, ply.steepest_balanced()));
         }
-        let notes = notes(&case, &plies, &rules);
+        let notes = notes::of(&case, &plies, &rules);
         Ok(Self { case, plies, rules, notes })
     }
 
@@ -353,69 +355,4 @@ fn beyond(case: &Case, balance: Balance, angle: HelicalAngle, steepest: HelicalA
         balance.name(),
     );
     case.refuse_domain(Datum::HelicalAngle, &words)
-}
-
-/// What a reader should know, a sentence each.
-fn notes(case: &Case, plies: &[Plied], rules: &[(Balance, HelicalAngle, HelicalAngle)]) -> Vec<String> {
-    let mut notes = Vec::new();
-    let find = |balance, name| plies.iter().find(|p: &&Plied| p.balance == balance && p.name == name);
-    let angles: Vec<String> =
-        rules.iter().map(|(balance, rule, _)| format!("{:.3}° ({} balance)", rule.degrees(), balance.name())).collect();
-    let off = rules.first().and_then(|(balance, ..)| {
-        let [balanced, rule] = [find(*balance, "balanced")?, find(*balance, "two_thirds")?];
-        let more = 100.0 * (rule.per_ply_length() / balanced.per_ply_length() - 1.0);
-        let word = if more > 0.0 { "more" } else { "less" };
-        Some(format!(": here two thirds are {:.1} % {word} ply twist than balances", more.abs()))
-    });
-    notes.push(format!(
-        "Two thirds of the singles twist balance a ply of one angle alone, {}{}.",
-        angles.join(" and "),
-        off.unwrap_or_default()
-    ));
-    if rules.first().is_some_and(|(balance, ..)| find(*balance, "two_thirds").is_none()) {
-        notes.push(
-            "Two thirds of the singles twist do not go into a ply of these singles: it would be closer than turns can lie to each other."
-                .to_owned(),
-        );
-    }
-    let pulled: Vec<&str> = plies
-        .iter()
-        .filter(|plied| plied.state.interstrand_pressure() < 0.0)
-        .map(|plied| if plied.name == "two_thirds" { "two thirds" } else { plied.name })
-        .collect();
-    if !pulled.is_empty() {
-        notes.push(format!("Neighbours would have to pull on each other (p₁ < 0) in: {}.", pulled.join(", ")));
-    }
-    if let Some(given) = plies.iter().find(|plied| plied.name == "given")
-        && let Some(balanced) = find(given.balance, "balanced")
-    {
-        let more = given.per_ply_length() / balanced.per_ply_length();
-        notes.push(if given.state.handedness() != balanced.state.handedness() {
-            "The ply as given winds the same way as its singles were twisted: let go, it turns back through straight strands to the \
-             other hand."
-                .to_owned()
-        } else if (more - 1.0).abs() < 1e-9 {
-            "The ply as given is balanced.".to_owned()
-        } else {
-            let hand = given.state.handedness();
-            let (share, word, does, turns) = if more > 1.0 {
-                (more - 1.0, "more", "untwists", opposite(hand))
-            } else {
-                (1.0 - more, "less", "twists up further", hand)
-            };
-            format!(
-                "The ply as given has {:.1} % {word} ply twist than balances: let go, it {does} until it is the balanced one. Its free end \
-                 turns {turn}, and a slack loop of it snarls {turn}.",
-                100.0 * share,
-                turn = turns.lay_letter()
-            )
-        });
-    }
-    notes.push(
-        "Fresh elastic singles are meant: what steam, heat or time has set in a yarn no longer turns it. Turns put in by a flyer or a \
-         ring go into ply and singles together, as here."
-            .to_owned(),
-    );
-    notes.extend(super::packing(case));
-    notes
 }
