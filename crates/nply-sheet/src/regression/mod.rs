@@ -33,6 +33,7 @@ mod report;
 mod row;
 mod sensed;
 mod state;
+mod straight;
 mod written;
 
 pub use answer::{Compared, Estimate, FittedRow, Regressed};

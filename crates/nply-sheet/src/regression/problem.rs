@@ -77,8 +77,8 @@ impl DataColumn {
     }
 }
 
-/// A row that says nothing: its line, and what is missing there.
-type LeftOut = (usize, &'static str);
+/// A row that is not fitted: its line, and why.
+type LeftOut = (usize, String);
 
 /// Parameters to be estimated from rows.
 ///
@@ -133,7 +133,7 @@ impl Regression {
                 return Err(RegressionError::NoLength(observable.name()));
             }
         }
-        let (rows, left_out) = rows(&model, &columns, lines, &absent)?;
+        let (rows, left_out) = rows(&model, asked, &columns, lines, &absent)?;
         let charted = Ply::with_balance(model.strands(), 1.0, model.balance())?;
         let asked = asked.to_vec();
         let known = Vec::new();
@@ -407,6 +407,7 @@ fn unweighted_unit(column: &DataColumn) -> f64 {
 
 fn rows(
     model: &Model,
+    asked: &[Parameter],
     columns: &[DataColumn],
     lines: &[usize],
     absent: &[Observable],
@@ -415,9 +416,12 @@ fn rows(
     let mut left_out = Vec::new();
     let twist_column = columns.iter().find(|column| matches!(column.given, Given::Twist(_)));
     let units: Vec<f64> = columns.iter().map(unweighted_unit).collect();
+    // a twist that is sought is not 0 for long
+    let sought = asked.iter().any(|parameter| parameter.slot() == Slot::Twist);
+    let untwisted = !sought && model.slots()[Slot::Twist as usize] == 0.0;
     for (i, &line) in lines.iter().enumerate() {
-        let mut row =
-            Row { line, held: absent.iter().map(|load| (*load, 0.0)).collect(), measured: Vec::new(), twist: None };
+        let held = absent.iter().map(|load| (*load, 0.0)).collect();
+        let mut row = Row { line, held, measured: Vec::new(), twist: None, straight: false };
         for (at, column) in columns.iter().enumerate() {
             let value = column.values[i];
             if !value.is_finite() {
@@ -441,7 +445,7 @@ fn rows(
             _ => None,
         };
         if let Some(missing) = missing {
-            left_out.push((line, missing));
+            left_out.push((line, format!("no {missing}")));
             continue;
         }
         let shapes = row.held.iter().filter(|(observable, _)| !observable.is_load()).count();
@@ -453,6 +457,13 @@ fn rows(
         let found = row.held.len() + row.measured.len();
         if found < 2 {
             return Err(RegressionError::Underfixed { line, found });
+        }
+        row.straight = row.may_lie_straight(model, row.twist.map_or(untwisted, |(_, twist)| twist == 0.0));
+        if row.holds_no_turns() && !row.straight {
+            let others = row.held.iter().filter(|(observable, value)| !(observable.is_signed() && *value == 0.0));
+            let others: Vec<&str> = others.map(|(observable, _)| observable.name()).collect();
+            left_out.push((line, format!("no turns, and straight strands do not keep {},", others.join(" and "))));
+            continue;
         }
         rows.push(row);
     }

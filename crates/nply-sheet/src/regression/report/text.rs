@@ -136,7 +136,11 @@ impl RegressionReport {
             let Some(compared) = fitted.compared.iter().find(|compared| compared.observable == observable) else {
                 continue;
             };
-            let hand = if fitted.handedness == nply::Handedness::Right { "Z" } else { "S" };
+            let hand = match fitted.handedness {
+                _ if fitted.is_straight() => "–",
+                nply::Handedness::Right => "Z",
+                nply::Handedness::Left => "S",
+            };
             let parted = if fitted.interstrand_pressure < 0.0 { " (separated)" } else { "" };
             let shown = [
                 hand.to_owned(),
