@@ -335,3 +335,35 @@ fn what_is_known_to_many_digits_is_as_good_as_held() {
         near(number(of_known, "standard_error"), number(of_held, "standard_error"), 1e-3);
     }
 }
+
+/// Two strings wound n times are helices of their own radius: L² = L₀² − (2πnr)², whatever holds the turns.
+#[test]
+fn turns_and_lengths_alone_give_a_diameter() {
+    let table = |third: &str| {
+        let rows = [20.0, 60.0, 100.0].map(|turns: f64| {
+            let girth = std::f64::consts::TAU * turns * 0.5;
+            let cells = if third.is_empty() { "" } else { "," };
+            format!("{turns},{:?}{cells}", (500.0 * 500.0 - girth * girth).sqrt())
+        });
+        format!("ply_turns,ply_length [mm]{third}\n{}\n", rows.join("\n"))
+    };
+    let fit = |table: &str, more: &[&str]| {
+        let ply = ["fit", "-", "--strands", "2", "--diameter", "0.9 mm", "--strand-length", "0.5 m", "--hand", "Z"];
+        let asked = ["--stiffness-ratio", "1", "--strand-twist", "0", "--estimate", "diameter"];
+        let stiffness = ["--bending-stiffness", "0.02 N mm^2", "--error", "ply_length=0.1mm"];
+        call_with(&[&ply[..], &asked, &stiffness, more].concat(), table.as_bytes())
+    };
+    for (third, held) in [("", vec!["ply_turns"]), (",moment [N mm]", vec!["ply_turns"])] {
+        let answer = fit(&table(third), &["--json"]);
+        let report: Value = serde_json::from_str(&answer.out).expect(&answer.err);
+        near(number(estimate(&report, "diameter"), "value"), 1e-3, 1e-8);
+        // what has no value is not held
+        assert_eq!(report["held"], serde_json::json!(held));
+        assert_eq!(report["taken_as_zero"], serde_json::json!(["force"]));
+        let said = fit(&table(third), &[]).out;
+        assert!(said.contains("held: ply_turns, force 0 (not given); free: moment; measured: ply_length"), "{said}");
+    }
+    // a moment that is given holds as ever, and is one too many
+    let given = fit(&table(""), &["--moment", "1 N mm"]);
+    assert!(given.code == 2 && given.err.contains("a state keeps no more than"), "{}", given.err);
+}

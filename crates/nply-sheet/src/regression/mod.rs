@@ -31,6 +31,7 @@ mod problem;
 mod reader;
 mod report;
 mod row;
+mod rows;
 mod sensed;
 mod state;
 mod straight;

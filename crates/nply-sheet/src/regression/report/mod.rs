@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 use super::answer::{Estimate, FittedRow};
 use super::columns::Roles;
 use super::error::{of_signs, out_of_reach};
+use super::rows::taken_as_zero;
 use super::written::Written;
 use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
 use crate::plot::Picture;
@@ -89,10 +90,7 @@ impl RegressionReport {
         let roles = roles(question, errors);
         let mut columns = data.columns(&roles, written.sized, written.scaled)?;
         columns.extend(written.loads(spec, &columns, data.lines().len())?);
-        let assumed: Vec<Observable> = [Observable::Force, Observable::Moment]
-            .into_iter()
-            .filter(|load| columns.iter().all(|column| column.given != Given::State(*load)))
-            .collect();
+        let assumed = taken_as_zero(&columns);
         let refused = |error: RegressionError| refused(spec, data, &asked, &error);
         let regression =
             Regression::with_lines(written.model.clone(), &asked, columns, data.lines()).map_err(refused)?;
@@ -131,6 +129,12 @@ impl RegressionReport {
     /// Which row of the data stands in a line.
     pub(super) fn place_of(&self, line: usize) -> Option<usize> {
         self.lines.binary_search(&line).ok()
+    }
+
+    /// The names of columns with numbers, those that are held or those that are measured.
+    fn names(&self, held: bool) -> Vec<&'static str> {
+        let of = |column: &&DataColumn| (column.role == Role::Held) == held && column.has_values();
+        self.columns().iter().filter(of).map(|column| column.given.name()).collect()
     }
 
     /// Columns that were measured.
@@ -382,13 +386,9 @@ impl RegressionReport {
         }
         top.insert("strands".into(), json!(self.regression.model.strands()));
         top.insert("balance".into(), json!(self.regression.model.balance().name()));
-        let names = |held: bool| -> Vec<&str> {
-            let columns = self.columns().iter().filter(|column| (column.role == Role::Held) == held);
-            columns.map(|column| column.given.name()).collect()
-        };
-        top.insert("held".into(), json!(names(true)));
+        top.insert("held".into(), json!(self.names(true)));
         top.insert("taken_as_zero".into(), json!(self.assumed.iter().map(|load| load.name()).collect::<Vec<_>>()));
-        top.insert("measured".into(), json!(names(false)));
+        top.insert("measured".into(), json!(self.names(false)));
         let estimate = |estimate: &Estimate| {
             let (factor, unit) = self.si_of(estimate.parameter);
             json!({
