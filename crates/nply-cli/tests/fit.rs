@@ -367,3 +367,39 @@ fn turns_and_lengths_alone_give_a_diameter() {
     let given = fit(&table(""), &["--moment", "1 N mm"]);
     assert!(given.code == 2 && given.err.contains("a state keeps no more than"), "{}", given.err);
 }
+
+/// Whatever may head a column names it in a flag too.
+#[test]
+fn flags_know_columns_by_every_name_that_heads_them() {
+    let fit = |head: &str, more: &[&str]| {
+        let table = format!("turns_per_length [tpm],{head}\n200,-110\n300,-150\n");
+        let ply = ["fit", "-", "--strands", "3", "--diameter", "0.5 mm", "--stiffness-ratio", "1"];
+        call_with(&[&ply[..], &["--estimate", "stiffness_ratio", "--json"], more].concat(), table.as_bytes())
+    };
+    let plain = fit("ply_turns_per_length [tpm]", &["--error", "ply_turns_per_length=1%"]);
+    assert_eq!(plain.code, 0, "{}", plain.err);
+    for (head, name) in [
+        ("turns_per_ply_length [tpm]", "turns_per_ply_length"),
+        ("ply_turns_per_length [tpm]", "turns-per-ply-length"),
+        ("Turns per ply length [tpm]", "Turns per ply length [tpm]"),
+        ("turns_per_ply_length_turns_per_m", "turns_per_ply_length_turns_per_m"),
+    ] {
+        let named = fit(head, &["--error", &format!("{name}=1%")]);
+        assert_eq!((named.out, named.code), (plain.out.clone(), 0), "{name}: {}", named.err);
+    }
+    let measured = fit("turns_per_ply_length [tpm]", &["--measured", "turns_per_ply_length"]);
+    assert_eq!(measured.code, 0, "{}", measured.err);
+    let both =
+        fit("turns_per_ply_length [tpm]", &["--error", "turns_per_ply_length=1%", "--held", "ply_turns_per_length"]);
+    assert!(both.code == 2 && both.err.contains("held or measured, not both"), "{}", both.err);
+    // the errors of a column are none, nor is a unit of something else
+    for wrong in ["ply_turns_per_length_error", "turns_per_ply_length [mm]", "extension"] {
+        let refused = fit("turns_per_ply_length [tpm]", &["--error", &format!("{wrong}=1%")]);
+        assert!(refused.code == 2 && refused.err.contains("is no column of the data"), "{wrong}: {}", refused.err);
+    }
+    let table = "force,extension\n0.1,0.95\n0.3,0.97\n";
+    let ply = ["fit", "-", "--strands", "3", "--stiffness-ratio", "1", "--pretwist", "-0.5"];
+    let asked = ["--estimate", "stiffness_ratio", "--error", "extension=1%"];
+    let extension = call_with(&[&ply[..], &asked].concat(), table.as_bytes());
+    assert_eq!(extension.code, 0, "{}", extension.err);
+}

@@ -24,6 +24,7 @@ mod columns;
 mod descent;
 mod doubt;
 mod error;
+mod heading;
 mod observable;
 mod parameter;
 mod picture;

@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 use super::answer::{Estimate, FittedRow};
 use super::columns::Roles;
 use super::error::{of_signs, out_of_reach};
+use super::heading::column_named;
 use super::rows::taken_as_zero;
 use super::written::Written;
 use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
@@ -84,10 +85,10 @@ impl RegressionReport {
     ) -> Result<Self, SpecError> {
         let asked = asked(&question.estimate)?;
         let written = Written::of(spec, &asked)?;
-        let (known, errors): (Vec<_>, Vec<_>) = errors(question)?
+        let (known, errors): (Vec<_>, Vec<_>) = errors(data, question)?
             .into_iter()
             .partition(|(name, _)| Parameter::named(name).is_some() && !data.names().contains(&name.as_str()));
-        let roles = roles(question, errors);
+        let roles = roles(data, question, errors);
         let mut columns = data.columns(&roles, written.sized, written.scaled)?;
         columns.extend(written.loads(spec, &columns, data.lines().len())?);
         let assumed = taken_as_zero(&columns);
@@ -239,7 +240,7 @@ fn asked(names: &[String]) -> Result<Vec<Parameter>, SpecError> {
 }
 
 /// `name=error`, taken apart.
-fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecError> {
+fn errors(data: &Measurements, question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecError> {
     let apart = |text: &String| {
         let wrong = || {
             let message = format!(
@@ -249,7 +250,7 @@ fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecEr
             SpecError::new(ErrorKind::Syntax, Place::Flag("error".to_owned()), message)
         };
         let (name, error) = text.split_once('=').ok_or_else(wrong)?;
-        Ok((name.trim().replace('-', "_"), error.trim().to_owned()))
+        Ok((plain_name(data, name), error.trim().to_owned()))
     };
     let errors: Vec<(String, String)> = question.errors.iter().map(apart).collect::<Result<_, _>>()?;
     for (at, (name, error)) in errors.iter().enumerate() {
@@ -262,8 +263,14 @@ fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecEr
     Ok(errors)
 }
 
-fn roles(question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {
-    let plain = |names: &[String]| names.iter().map(|name| name.trim().replace('-', "_")).collect();
+/// A column of the data by its own name, however it is called; another word as it stands, joined as names are.
+fn plain_name(data: &Measurements, word: &str) -> String {
+    let there = column_named(word).filter(|given| data.names().contains(&given.name()));
+    there.map_or_else(|| word.trim().replace('-', "_"), |given| given.name().to_owned())
+}
+
+fn roles(data: &Measurements, question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {
+    let plain = |names: &[String]| names.iter().map(|name| plain_name(data, name)).collect();
     Roles { measured: plain(&question.measured), held: plain(&question.held), errors }
 }
 
