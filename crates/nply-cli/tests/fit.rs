@@ -403,3 +403,22 @@ fn flags_know_columns_by_every_name_that_heads_them() {
     let extension = call_with(&[&ply[..], &asked].concat(), table.as_bytes());
     assert_eq!(extension.code, 0, "{}", extension.err);
 }
+
+/// Residuals of everything measured stand over what is held and varies most, never over what is measured itself.
+#[test]
+fn residuals_stand_over_what_is_held() {
+    let fit = |more: &[&str]| {
+        let ply =
+            ["fit", "examples/fit/strings.csv", "--strands", "2", "--diameter", "1 mm", "--strand-length", "0.5 m"];
+        let stretch = ["--stretch", "--axial-stiffness", "3000 N", "--stiffness-ratio", "1", "--strand-twist", "0"];
+        let asked = ["--bending-stiffness", "0.02 N mm^2", "--hand", "Z", "--estimate", "diameter", "--starts", "1"];
+        out(&[&ply[..], &stretch, &asked, more].concat())
+    };
+    let axes = |said: &str, axis: &str| said.lines().filter(|line| line.trim() == axis).count();
+    // turns, of five different numbers; loads, of three
+    let said = fit(&[]);
+    assert_eq!((axes(&said, "ply turns (turns)"), axes(&said, "moment (N mm)")), (2, 0), "{said}");
+    // with nothing held that varies, a load that is measured
+    let said = fit(&["--error", "ply_turns=0.01", "--error", "force=0.1 N"]);
+    assert_eq!((axes(&said, "moment (N mm)"), axes(&said, "force (N)")), (3, 1), "{said}");
+}
