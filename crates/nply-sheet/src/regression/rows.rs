@@ -14,8 +14,8 @@ const LOADS: [Observable; 2] = [Observable::Force, Observable::Moment];
 pub(super) fn taken_as_zero(columns: &[DataColumn]) -> Vec<Observable> {
     let gives = |load: Observable| columns.iter().any(|column| column.given == Given::State(load));
     let holds_turns = columns.iter().any(|column| column.role == Role::Held && is_turns(column.given));
-    let zero = |load: &Observable| !gives(*load) && !(holds_turns && *load == Observable::Moment);
-    LOADS.into_iter().filter(zero).collect()
+    let free = |load: Observable| holds_turns && load == Observable::Moment;
+    LOADS.into_iter().filter(|load| !gives(*load) && !free(*load)).collect()
 }
 
 /// Loads that nothing is known of: what they are is found with each row's state.

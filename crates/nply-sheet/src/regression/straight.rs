@@ -68,6 +68,7 @@ impl Row {
     }
 
     /// Whether straight strands keep all that is held, whatever their stiffnesses, and something that is held asks for them.
+    #[allow(clippy::float_cmp, reason = "straight strands have these numbers to the last bit")]
     pub(super) fn may_lie_straight(&self, model: &Model, untwisted: bool) -> bool {
         let has = |wanted| self.held.iter().any(|(observable, _)| *observable == wanted);
         let stretches = model.stretches();
