@@ -422,3 +422,33 @@ fn residuals_stand_over_what_is_held() {
     let said = fit(&["--error", "ply_turns=0.01", "--error", "force=0.1 N"]);
     assert_eq!((axes(&said, "moment (N mm)"), axes(&said, "force (N)")), (3, 1), "{said}");
 }
+
+/// Of strings that do not stretch turns and lengths give the diameter, whatever their stiffness: none need be given.
+#[test]
+fn limp_strings_need_no_stiffness() {
+    let table =
+        "ply_turns,force [N],ply_length [mm],ply_length_error\n20,20,495.9,0.2\n60,20,463.2,0.2\n100,20,389.2,0.2\n";
+    let fit = |table: &str, more: &[&str]| {
+        let ply = ["fit", "-", "--strands", "2", "--diameter", "0.9 mm", "--strand-length", "0.5 m", "--hand", "Z"];
+        call_with(&[&ply[..], more].concat(), table.as_bytes())
+    };
+    let asked = ["--estimate", "diameter", "--json"];
+    let limp = fit(table, &asked);
+    let report: Value = serde_json::from_str(&limp.out).expect(&limp.err);
+    assert!(limp.out.contains("No stiffness is given"), "{}", limp.out);
+    for stiffness in [["1", "1 N mm^2"], ["0.3", "20 N mm^2"]] {
+        let strand = ["--stiffness-ratio", stiffness[0], "--bending-stiffness", stiffness[1], "--strand-twist", "0"];
+        let stiff = fit(table, &[&asked[..], &strand].concat());
+        assert!(!stiff.out.contains("No stiffness is given"), "{}", stiff.out);
+        let stiff: Value = serde_json::from_str(&stiff.out).expect(&stiff.err);
+        for name in ["value", "standard_error"] {
+            near(number(estimate(&report, "diameter"), name), number(estimate(&stiff, "diameter"), name), 1e-6);
+        }
+    }
+    // where it has a bearing it is asked for: on moments, and on a stiffness itself
+    let moments = "ply_turns,force [N],moment [N mm],moment_error\n20,20,1.3,0.05\n60,20,4.1,0.05\n";
+    for (table, asked) in [(moments, "diameter"), (table, "stiffness_ratio")] {
+        let refused = fit(table, &["--estimate", asked]);
+        assert!(refused.code == 2 && refused.err.contains("stiffness ratio C/B is missing"), "{}", refused.err);
+    }
+}

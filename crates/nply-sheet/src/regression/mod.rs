@@ -25,6 +25,7 @@ mod descent;
 mod doubt;
 mod error;
 mod heading;
+mod limp;
 mod observable;
 mod parameter;
 mod picture;

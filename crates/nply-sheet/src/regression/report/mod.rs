@@ -8,6 +8,7 @@ use super::answer::{Estimate, FittedRow};
 use super::columns::Roles;
 use super::error::{of_signs, out_of_reach};
 use super::heading::column_named;
+use super::limp;
 use super::rows::taken_as_zero;
 use super::written::Written;
 use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
@@ -84,11 +85,13 @@ impl RegressionReport {
         may_go_on: &dyn Fn(usize) -> bool,
     ) -> Result<Self, SpecError> {
         let asked = asked(&question.estimate)?;
-        let written = Written::of(spec, &asked)?;
         let (known, errors): (Vec<_>, Vec<_>) = errors(data, question)?
             .into_iter()
             .partition(|(name, _)| Parameter::named(name).is_some() && !data.names().contains(&name.as_str()));
         let roles = roles(data, question, errors);
+        let limp = limp::described(spec, data, &roles, &asked);
+        let spec = limp.as_ref().unwrap_or(spec);
+        let written = Written::of(spec, &asked)?;
         let mut columns = data.columns(&roles, written.sized, written.scaled)?;
         columns.extend(written.loads(spec, &columns, data.lines().len())?);
         let assumed = taken_as_zero(&columns);
@@ -101,7 +104,8 @@ impl RegressionReport {
             regression.with_known(parameter, error).map_err(refused)
         })?;
         let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
-        let answer = regression.run_while(may_go_on).map_err(refused)?;
+        let mut answer = regression.run_while(may_go_on).map_err(refused)?;
+        answer.notes.extend(limp.is_some().then(|| limp::NOTE.to_owned()));
         let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
         Ok(Self {
             title: written.title,
