@@ -335,3 +335,120 @@ fn what_is_known_to_many_digits_is_as_good_as_held() {
         near(number(of_known, "standard_error"), number(of_held, "standard_error"), 1e-3);
     }
 }
+
+/// Two strings wound n times are helices of their own radius: L² = L₀² − (2πnr)², whatever holds the turns.
+#[test]
+fn turns_and_lengths_alone_give_a_diameter() {
+    let table = |third: &str| {
+        let rows = [20.0, 60.0, 100.0].map(|turns: f64| {
+            let girth = std::f64::consts::TAU * turns * 0.5;
+            let cells = if third.is_empty() { "" } else { "," };
+            format!("{turns},{:?}{cells}", (500.0 * 500.0 - girth * girth).sqrt())
+        });
+        format!("ply_turns,ply_length [mm]{third}\n{}\n", rows.join("\n"))
+    };
+    let fit = |table: &str, more: &[&str]| {
+        let ply = ["fit", "-", "--strands", "2", "--diameter", "0.9 mm", "--strand-length", "0.5 m", "--hand", "Z"];
+        let asked = ["--stiffness-ratio", "1", "--strand-twist", "0", "--estimate", "diameter"];
+        let stiffness = ["--bending-stiffness", "0.02 N mm^2", "--error", "ply_length=0.1mm"];
+        call_with(&[&ply[..], &asked, &stiffness, more].concat(), table.as_bytes())
+    };
+    for (third, held) in [("", vec!["ply_turns"]), (",moment [N mm]", vec!["ply_turns"])] {
+        let answer = fit(&table(third), &["--json"]);
+        let report: Value = serde_json::from_str(&answer.out).expect(&answer.err);
+        near(number(estimate(&report, "diameter"), "value"), 1e-3, 1e-8);
+        // what has no value is not held
+        assert_eq!(report["held"], serde_json::json!(held));
+        assert_eq!(report["taken_as_zero"], serde_json::json!(["force"]));
+        let said = fit(&table(third), &[]).out;
+        assert!(said.contains("held: ply_turns, force 0 (not given); free: moment; measured: ply_length"), "{said}");
+    }
+    // a moment that is given holds as ever, and is one too many
+    let given = fit(&table(""), &["--moment", "1 N mm"]);
+    assert!(given.code == 2 && given.err.contains("a state keeps no more than"), "{}", given.err);
+}
+
+/// Whatever may head a column names it in a flag too.
+#[test]
+fn flags_know_columns_by_every_name_that_heads_them() {
+    let fit = |head: &str, more: &[&str]| {
+        let table = format!("turns_per_length [tpm],{head}\n200,-110\n300,-150\n");
+        let ply = ["fit", "-", "--strands", "3", "--diameter", "0.5 mm", "--stiffness-ratio", "1"];
+        call_with(&[&ply[..], &["--estimate", "stiffness_ratio", "--json"], more].concat(), table.as_bytes())
+    };
+    let plain = fit("ply_turns_per_length [tpm]", &["--error", "ply_turns_per_length=1%"]);
+    assert_eq!(plain.code, 0, "{}", plain.err);
+    for (head, name) in [
+        ("turns_per_ply_length [tpm]", "turns_per_ply_length"),
+        ("ply_turns_per_length [tpm]", "turns-per-ply-length"),
+        ("Turns per ply length [tpm]", "Turns per ply length [tpm]"),
+        ("turns_per_ply_length_turns_per_m", "turns_per_ply_length_turns_per_m"),
+    ] {
+        let named = fit(head, &["--error", &format!("{name}=1%")]);
+        assert_eq!((named.out, named.code), (plain.out.clone(), 0), "{name}: {}", named.err);
+    }
+    let measured = fit("turns_per_ply_length [tpm]", &["--measured", "turns_per_ply_length"]);
+    assert_eq!(measured.code, 0, "{}", measured.err);
+    let both =
+        fit("turns_per_ply_length [tpm]", &["--error", "turns_per_ply_length=1%", "--held", "ply_turns_per_length"]);
+    assert!(both.code == 2 && both.err.contains("held or measured, not both"), "{}", both.err);
+    // the errors of a column are none, nor is a unit of something else
+    for wrong in ["ply_turns_per_length_error", "turns_per_ply_length [mm]", "extension"] {
+        let refused = fit("turns_per_ply_length [tpm]", &["--error", &format!("{wrong}=1%")]);
+        assert!(refused.code == 2 && refused.err.contains("is no column of the data"), "{wrong}: {}", refused.err);
+    }
+    let table = "force,extension\n0.1,0.95\n0.3,0.97\n";
+    let ply = ["fit", "-", "--strands", "3", "--stiffness-ratio", "1", "--pretwist", "-0.5"];
+    let asked = ["--estimate", "stiffness_ratio", "--error", "extension=1%"];
+    let extension = call_with(&[&ply[..], &asked].concat(), table.as_bytes());
+    assert_eq!(extension.code, 0, "{}", extension.err);
+}
+
+/// Residuals of everything measured stand over what is held and varies most, never over what is measured itself.
+#[test]
+fn residuals_stand_over_what_is_held() {
+    let fit = |more: &[&str]| {
+        let ply =
+            ["fit", "examples/fit/strings.csv", "--strands", "2", "--diameter", "1 mm", "--strand-length", "0.5 m"];
+        let stretch = ["--stretch", "--axial-stiffness", "3000 N", "--stiffness-ratio", "1", "--strand-twist", "0"];
+        let asked = ["--bending-stiffness", "0.02 N mm^2", "--hand", "Z", "--estimate", "diameter", "--starts", "1"];
+        out(&[&ply[..], &stretch, &asked, more].concat())
+    };
+    let axes = |said: &str, axis: &str| said.lines().filter(|line| line.trim() == axis).count();
+    // turns, of five different numbers; loads, of three
+    let said = fit(&[]);
+    assert_eq!((axes(&said, "ply turns (turns)"), axes(&said, "moment (N mm)")), (2, 0), "{said}");
+    // with nothing held that varies, a load that is measured
+    let said = fit(&["--error", "ply_turns=0.01", "--error", "force=0.1 N"]);
+    assert_eq!((axes(&said, "moment (N mm)"), axes(&said, "force (N)")), (3, 1), "{said}");
+}
+
+/// Of strings that do not stretch turns and lengths give the diameter, whatever their stiffness: none need be given.
+#[test]
+fn limp_strings_need_no_stiffness() {
+    let table =
+        "ply_turns,force [N],ply_length [mm],ply_length_error\n20,20,495.9,0.2\n60,20,463.2,0.2\n100,20,389.2,0.2\n";
+    let fit = |table: &str, more: &[&str]| {
+        let ply = ["fit", "-", "--strands", "2", "--diameter", "0.9 mm", "--strand-length", "0.5 m", "--hand", "Z"];
+        call_with(&[&ply[..], more].concat(), table.as_bytes())
+    };
+    let asked = ["--estimate", "diameter", "--json"];
+    let limp = fit(table, &asked);
+    let report: Value = serde_json::from_str(&limp.out).expect(&limp.err);
+    assert!(limp.out.contains("No stiffness is given"), "{}", limp.out);
+    for stiffness in [["1", "1 N mm^2"], ["0.3", "20 N mm^2"]] {
+        let strand = ["--stiffness-ratio", stiffness[0], "--bending-stiffness", stiffness[1], "--strand-twist", "0"];
+        let stiff = fit(table, &[&asked[..], &strand].concat());
+        assert!(!stiff.out.contains("No stiffness is given"), "{}", stiff.out);
+        let stiff: Value = serde_json::from_str(&stiff.out).expect(&stiff.err);
+        for name in ["value", "standard_error"] {
+            near(number(estimate(&report, "diameter"), name), number(estimate(&stiff, "diameter"), name), 1e-6);
+        }
+    }
+    // where it has a bearing it is asked for: on moments, and on a stiffness itself
+    let moments = "ply_turns,force [N],moment [N mm],moment_error\n20,20,1.3,0.05\n60,20,4.1,0.05\n";
+    for (table, asked) in [(moments, "diameter"), (table, "stiffness_ratio")] {
+        let refused = fit(table, &["--estimate", asked]);
+        assert!(refused.code == 2 && refused.err.contains("stiffness ratio C/B is missing"), "{}", refused.err);
+    }
+}

@@ -42,10 +42,16 @@ pub struct Compared {
 }
 
 impl FittedRow {
+    /// Whether the strands are straight, side by side: in equilibrium where there is neither twist nor moment, or where there are no turns.
+    #[must_use]
+    pub fn is_straight(&self) -> bool {
+        self.helical_angle <= 0.0
+    }
+
     /// Whether what was measured is nearest to straight strands or to flat rings: limits, and no states. `true`: flat rings.
     #[must_use]
     pub fn limit(&self) -> Option<bool> {
-        (self.moved && is_limit(self.helical_angle)).then_some(self.helical_angle > 1.0)
+        (self.moved && !self.is_straight() && is_limit(self.helical_angle)).then_some(self.helical_angle > 1.0)
     }
 }
 
@@ -320,6 +326,7 @@ fn notes(
         None => notes.extend(of_chi(answer)),
     }
     notes.extend(doubt::of_limits(answer));
+    notes.extend(doubt::of_straight(answer));
     notes.extend(of_states(answer));
     notes
 }

@@ -110,6 +110,11 @@ impl Measurements {
         for column in &self.columns {
             check_unit(column, sized, scaled)?;
         }
+        self.with_roles(flags)
+    }
+
+    /// The same whatever their units.
+    pub(super) fn with_roles(&self, flags: &Roles) -> Result<Vec<DataColumn>, SpecError> {
         let any_error = self.columns.iter().any(|column| column.errors.is_some()) || !flags.errors.is_empty();
         let roles: Vec<Role> = self.columns.iter().map(|column| flags.role(column)).collect::<Result<_, _>>()?;
         let mut columns: Vec<DataColumn> = self

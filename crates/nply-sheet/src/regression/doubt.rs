@@ -68,15 +68,26 @@ pub(super) fn of_limits(answer: &Regressed) -> Vec<String> {
     [false, true].into_iter().filter_map(at).collect()
 }
 
+/// Rows of straight strands.
+pub(super) fn of_straight(answer: &Regressed) -> Option<String> {
+    let rows: Vec<usize> = answer.rows.iter().filter(|row| row.is_straight()).map(|row| row.line).collect();
+    (!rows.is_empty()).then(|| {
+        format!(
+            "In {} the strands lie straight, side by side: without twist and moment, or without turns, that is equilibrium under any force.",
+            lines(&rows)
+        )
+    })
+}
+
 /// Rows that say nothing, and why.
 pub(super) fn of_left_out(regression: &Regression) -> Option<String> {
     let left_out = &regression.left_out;
-    let mut reasons: Vec<&'static str> = left_out.iter().map(|(_, missing)| *missing).collect();
+    let mut reasons: Vec<&str> = left_out.iter().map(|(_, reason)| reason.as_str()).collect();
     reasons.sort_unstable();
     reasons.dedup();
-    let of = |missing: &&'static str| {
-        let rows: Vec<usize> = left_out.iter().filter(|(_, other)| other == missing).map(|(line, _)| *line).collect();
-        format!("no {missing} in {}", lines(&rows))
+    let of = |reason: &&str| {
+        let rows: Vec<usize> = left_out.iter().filter(|(_, other)| other == reason).map(|(line, _)| *line).collect();
+        format!("{reason} in {}", lines(&rows))
     };
     let said: Vec<String> = reasons.iter().map(of).collect();
     let rows = if left_out.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", left_out.len()) };

@@ -8,7 +8,8 @@ use crate::plot::{Axis, Chart, Curve, Marker, MarkerShape};
 const COLOURS: [usize; 3] = [0, 1, 6];
 
 impl RegressionReport {
-    /// What stands below a chart of one thing: of loads, twists and what else is held that of most different numbers, else the line.
+    /// What stands below a chart of one thing: what is held and has the most different numbers; where nothing held varies, a load that is
+    /// measured, though not the thing itself; else the line.
     fn below(&self, shown: Observable) -> (Axis, Vec<f64>) {
         let lines = || (Axis::new("line", ""), self.answer().rows.iter().map(|row| row.line as f64).collect());
         let places: Option<Vec<usize>> = self.answer().rows.iter().map(|row| self.place_of(row.line)).collect();
@@ -19,12 +20,14 @@ impl RegressionReport {
             values.dedup();
             if values.iter().all(|value| value.is_finite()) { values.len() } else { 0 }
         };
-        let serves = |column: &&DataColumn| match column.given {
-            Given::State(observable) => observable != shown && (observable.is_load() || column.role == Role::Held),
-            Given::Twist(_) => true,
+        let held = |column: &DataColumn| column.role == Role::Held;
+        let load = |column: &DataColumn| matches!(column.given, Given::State(load) if load.is_load() && load != shown);
+        let most = |serves: &dyn Fn(&DataColumn) -> bool| {
+            let varies = self.columns().iter().filter(|column| serves(column) && different(column) > 1);
+            // the first of several, as they stand in the data
+            varies.rev().max_by_key(different)
         };
-        let column = self.columns().iter().filter(serves).max_by_key(different).filter(|column| different(column) > 1);
-        let Some(column) = column else { return lines() };
+        let Some(column) = most(&held).or_else(|| most(&load)) else { return lines() };
         let (factor, unit) = match column.given {
             Given::State(observable) => self.reading(observable),
             Given::Twist(parameter) => self.si_reading(parameter),

@@ -6,7 +6,8 @@ use nply::mechanics::Ply;
 
 use super::descent::{Bottom, Ground, Known};
 use super::parameter::Slot;
-use super::row::{Datum, Row};
+use super::row::Row;
+use super::rows::{self, LeftOut};
 use super::sensed::SLOTS;
 use super::state::Model;
 use super::{Observable, Parameter, Regressed, RegressionError, answer, doubt};
@@ -75,14 +76,17 @@ impl DataColumn {
     pub fn held(given: impl Into<Given>, values: Vec<f64>) -> Self {
         Self::new(given, values, Role::Held)
     }
-}
 
-/// A row that says nothing: its line, and what is missing there.
-type LeftOut = (usize, &'static str);
+    /// Whether any row has a number in it.
+    pub(super) fn has_values(&self) -> bool {
+        self.values.iter().any(|value| value.is_finite())
+    }
+}
 
 /// Parameters to be estimated from rows.
 ///
-/// A load in no column is 0, as elsewhere; one that is NaN in a row is unknown there, and found with the row's state.
+/// A load in no column is 0, as elsewhere, but for the moment where turns are held: it takes one to hold them. That, and a load that is NaN
+/// in a row, is unknown, and found with the row's state.
 #[derive(Clone, Debug)]
 pub struct Regression {
     pub(super) model: Model,
@@ -122,9 +126,6 @@ impl Regression {
         check_columns(&columns, lines)?;
         let model = check_asked(model, asked, &columns)?;
         let weighed = check_roles(&columns)?;
-        let gives = |observable| columns.iter().any(|column| column.given == Given::State(observable));
-        let absent: Vec<Observable> =
-            [Observable::Force, Observable::Moment].into_iter().filter(|load| !gives(*load)).collect();
         for column in &columns {
             if let Given::State(observable) = column.given
                 && observable.needs_length()
@@ -133,7 +134,7 @@ impl Regression {
                 return Err(RegressionError::NoLength(observable.name()));
             }
         }
-        let (rows, left_out) = rows(&model, &columns, lines, &absent)?;
+        let (rows, left_out) = rows::of(&model, asked, &columns, lines)?;
         let charted = Ply::with_balance(model.strands(), 1.0, model.balance())?;
         let asked = asked.to_vec();
         let known = Vec::new();
@@ -396,65 +397,4 @@ fn check_roles(columns: &[DataColumn]) -> Result<bool, RegressionError> {
         },
         (None, Some(_)) => Ok(true),
     }
-}
-
-/// Where errors are not known: a thousandth of the greatest number, so that sums are of a sensible size.
-fn unweighted_unit(column: &DataColumn) -> f64 {
-    let greatest =
-        column.values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
-    if greatest > 0.0 { 1e-3 * greatest } else { 1.0 }
-}
-
-fn rows(
-    model: &Model,
-    columns: &[DataColumn],
-    lines: &[usize],
-    absent: &[Observable],
-) -> Result<(Vec<Row>, Vec<LeftOut>), RegressionError> {
-    let mut rows = Vec::with_capacity(lines.len());
-    let mut left_out = Vec::new();
-    let twist_column = columns.iter().find(|column| matches!(column.given, Given::Twist(_)));
-    let units: Vec<f64> = columns.iter().map(unweighted_unit).collect();
-    for (i, &line) in lines.iter().enumerate() {
-        let mut row =
-            Row { line, held: absent.iter().map(|load| (*load, 0.0)).collect(), measured: Vec::new(), twist: None };
-        for (at, column) in columns.iter().enumerate() {
-            let value = column.values[i];
-            if !value.is_finite() {
-                continue;
-            }
-            match (column.given, &column.role) {
-                (Given::Twist(form), _) => row.twist = Some((form, value)),
-                (Given::State(observable), Role::Held) => row.held.push((observable, value)),
-                (Given::State(observable), Role::Measured(errors)) => {
-                    row.measured.push(Datum { column: at, observable, value, error: errors[i] });
-                }
-                (Given::State(observable), Role::Unweighted) => {
-                    row.measured.push(Datum { column: at, observable, value, error: units[at] });
-                }
-            }
-        }
-        // a row that says nothing
-        let missing = match twist_column {
-            _ if row.measured.is_empty() => Some("measured number"),
-            Some(column) if row.twist.is_none() => Some(column.given.name()),
-            _ => None,
-        };
-        if let Some(missing) = missing {
-            left_out.push((line, missing));
-            continue;
-        }
-        let shapes = row.held.iter().filter(|(observable, _)| !observable.is_load()).count();
-        let shapes = shapes > 1 && !model.stretches();
-        if row.held.len() > 2 || shapes {
-            let held = row.held.iter().map(|(observable, _)| observable.name()).collect();
-            return Err(RegressionError::Overheld { line, held, shapes });
-        }
-        let found = row.held.len() + row.measured.len();
-        if found < 2 {
-            return Err(RegressionError::Underfixed { line, found });
-        }
-        rows.push(row);
-    }
-    if rows.is_empty() { Err(RegressionError::NoRows) } else { Ok((rows, left_out)) }
 }

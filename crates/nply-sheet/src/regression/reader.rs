@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::columns::{Column, dimension, of_bare};
 use super::error::observables;
-use super::{Given, Observable, Parameter};
+use super::heading::{Heading, is_none, joined, names, suffix};
+use super::{Given, Observable};
 use crate::key::nearest;
 use crate::spec::hand;
 use crate::{ErrorKind, Place, Quantity, QuantityError, SpecError, Unit, quoted};
@@ -170,29 +171,13 @@ impl<'t> Reader<'t> {
         if ["note", "notes", "comment", "comments", "remark", "remarks"].contains(&lower.as_str()) {
             return Ok(None);
         }
-        let (stem, unit) = match word.text.split_once(['[', '(']) {
-            Some((stem, unit)) => (stem.trim(), Some(unit.trim_end_matches([']', ')', ' ']).trim())),
-            None => (word.text.trim(), None),
-        };
-        let joined = stem.to_lowercase().replace([' ', '-'], "_");
-        let twists = [Parameter::Pretwist, Parameter::TurnsPerLength, Parameter::StrandTwist].map(Given::Twist);
-        let own = Observable::ALL.map(Given::State).into_iter().chain(twists).map(|given| (given.name(), given));
-        // as reports call them
-        let reported = [
-            ("extension", Given::State(Observable::LengthRatio)),
-            ("turns_per_ply_length", Given::State(Observable::PlyTurnsPerLength)),
-        ];
-        let names: Vec<(&str, Given)> = own.chain(reported).collect();
-        // the longest name that begins it
-        let begins = |(name, _): &&(&str, Given)| {
-            joined.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
-        };
-        let Some((name, given)) = names.iter().filter(begins).max_by_key(|(name, _)| name.len()).copied() else {
+        let Some(Heading { given, rest, unit }) = Heading::of(word.text) else {
+            let joined = joined(word.text);
             let help = match joined.as_str() {
                 "turns" => Some("the twist put in stands in turns_per_length, turns over the strand length; turns of the ply in ply_turns".to_owned()),
                 "end_rotation" | "surface_angle" => Some("the twist put in stands in turns_per_length or pretwist".to_owned()),
                 "retraction" | "retraction_percent" => Some("write length_ratio, 1 less the retraction".to_owned()),
-                _ => nearest(&joined, names.iter().map(|(name, _)| *name)).map(|name| format!("did you mean `{name}`?")),
+                _ => nearest(&joined, names().into_iter().map(|(name, _)| name)).map(|name| format!("did you mean `{name}`?")),
             };
             let message = format!(
                 "{} is no column known here; those are {}, each with its errors as `…_error`, the twists pretwist, turns_per_length and \
@@ -202,7 +187,6 @@ impl<'t> Reader<'t> {
             );
             return Err(SpecError::new(ErrorKind::UnknownKey, place, message).with_help(help));
         };
-        let rest = stem.get(name.len()..).unwrap_or("").trim_start_matches(['_', ' ', '-']);
         let tails = ["error", "errors", "sigma", "std", "uncertainty"];
         let lower = rest.to_lowercase();
         // `force_error`, `force_error_N` and `force_N_error`
@@ -219,7 +203,8 @@ impl<'t> Reader<'t> {
                     format!("{} says {} and a unit: write the unit alone", quoted(word.text.trim()), quoted(rest));
                 return Err(SpecError::new(ErrorKind::Syntax, place, message));
             }
-            (Some("" | "-" | "1"), _) | (None, "") => None,
+            (None, "") => None,
+            (Some(text), _) if is_none(text) => None,
             (Some(text), _) => Some(self.unit(text, &place)?),
             (None, text) => Some(self.unit(&suffix(text), &place)?),
         };
@@ -295,11 +280,6 @@ fn of_no_hand(head: &Head, text: &str, written: &str) -> Option<String> {
         ),
         _ => format!("{written} says a hand, and this column has none: write it without the letter"),
     })
-}
-
-/// `N_mm` and `turns_per_m` as units.
-fn suffix(text: &str) -> String {
-    text.replace("_per_", "/").replace('_', " ")
 }
 
 /// Cells without blanks and quotation marks around them.

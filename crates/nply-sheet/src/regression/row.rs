@@ -22,6 +22,8 @@ pub(super) struct Row {
     pub(super) held: Vec<(Observable, f64)>,
     pub(super) measured: Vec<Datum>,
     pub(super) twist: Option<(Parameter, f64)>,
+    /// whether straight strands keep what is held
+    pub(super) straight: bool,
 }
 
 /// One measured number.
@@ -56,12 +58,12 @@ impl Settled {
 }
 
 /// All numbers of a row at a spot.
-struct Look {
+pub(super) struct Look {
     readings: Readings,
     /// held: how far off, over its size
-    held: Vec<(f64, Sensed)>,
-    measured: Vec<Sensed>,
-    residuals: Vec<f64>,
+    pub(super) held: Vec<(f64, Sensed)>,
+    pub(super) measured: Vec<Sensed>,
+    pub(super) residuals: Vec<f64>,
 }
 
 const MOST_STEPS: usize = 100;
@@ -116,7 +118,7 @@ impl Row {
         }
     }
 
-    fn look(&self, model: &Model, charted: &Ply, strand: &Strand, spot: &Spot) -> Option<Look> {
+    pub(super) fn look(&self, model: &Model, charted: &Ply, strand: &Strand, spot: &Spot) -> Option<Look> {
         let readings = model.readings(charted, strand, spot)?;
         let held = self.held.iter().map(|&(observable, value)| {
             let size = Self::size(observable, value, strand, model);
@@ -133,6 +135,9 @@ impl Row {
 
     /// The state near a spot that keeps what is held and comes nearest to what is measured; `None` where there is none.
     pub(super) fn settle(&self, model: &Model, charted: &Ply, strand: &Strand, spot: Spot) -> Option<Settled> {
+        if spot.is_straight() {
+            return self.settle_straight(model, charted, strand, spot);
+        }
         let mut spot = spot;
         let mut look = self.look(model, charted, strand, &spot)?;
         let (mut weight, mut damping, mut last) = (1.0_f64, 1e-13, f64::INFINITY);
@@ -185,21 +190,32 @@ impl Row {
         let held: Vec<[f64; 2]> = look.held.iter().map(|(_, held)| held.by_place()).collect();
         let held_by: Vec<[f64; SLOTS]> = look.held.iter().map(|(_, held)| held.by_slot()).collect();
         // how the coordinates follow the parameters with what is held kept, and which ways are left free
-        let (follow, free): (Vec<[f64; SLOTS]>, Vec<[f64; 2]>) = match held[..] {
-            [] => (vec![[0.0; SLOTS]; 2], vec![[1.0, 0.0], [0.0, 1.0]]),
+        let (follow, free): ([[f64; SLOTS]; 2], Vec<[f64; 2]>) = match held[..] {
+            [] => ([[0.0; SLOTS]; 2], vec![[1.0, 0.0], [0.0, 1.0]]),
             [h] => {
                 let square = h[0] * h[0] + h[1] * h[1];
                 let along = |i: usize| core::array::from_fn(|k| -h[i] * held_by[0][k] / square);
-                (vec![along(0), along(1)], vec![[-h[1], h[0]]])
+                ([along(0), along(1)], vec![[-h[1], h[0]]])
             }
             [g, h] => {
                 let determinant = g[0] * h[1] - g[1] * h[0];
                 let first = |k: usize| -(h[1] * held_by[0][k] - g[1] * held_by[1][k]) / determinant;
                 let second = |k: usize| -(g[0] * held_by[1][k] - h[0] * held_by[0][k]) / determinant;
-                (vec![core::array::from_fn(first), core::array::from_fn(second)], Vec::new())
+                ([core::array::from_fn(first), core::array::from_fn(second)], Vec::new())
             }
             _ => return None,
         };
+        self.settled_along(spot, look, follow, &free)
+    }
+
+    /// The same where it is known how the coordinates follow the parameters, and which ways are left free.
+    pub(super) fn settled_along(
+        &self,
+        spot: Spot,
+        look: &Look,
+        follow: [[f64; SLOTS]; 2],
+        free: &[[f64; 2]],
+    ) -> Option<Settled> {
         let mut slopes: Vec<[f64; SLOTS]> = look
             .measured
             .iter()
@@ -229,7 +245,7 @@ impl Row {
     /// Every state that the row may belong to, the nearest first: the search that a fit begins with.
     pub(super) fn candidates(&self, model: &Model, charted: &Ply, strand: &Strand) -> Vec<Settled> {
         let mut found: Vec<Settled> = Vec::new();
-        for spot in self.spots(model, charted, strand) {
+        for spot in self.spots(model, charted, strand).into_iter().chain(self.straight_spot(model)) {
             let Some(settled) = self.settle(model, charted, strand, spot) else { continue };
             let same = |other: &Settled| {
                 other.spot.hand == settled.spot.hand
@@ -469,6 +485,7 @@ mod tests {
                     held: held.clone(),
                     measured: measured.iter().copied().map(datum).collect(),
                     twist: None,
+                    straight: false,
                 };
                 let strand = model.strand(model.slots(), None);
                 let settled = row.candidates(&model, &charted, &strand).into_iter().next().expect("a state");

@@ -185,13 +185,18 @@ impl Strand {
         if self.held_in_strand { Twist::StrandTwist(self.twist.value) } else { Twist::Pretwist(self.twist.value) }
     }
 
+    /// What twists a strand that lies straight: γφ̄a, or γu₃.
+    pub(super) fn torque(&self) -> Sensed {
+        self.ratio * self.twist
+    }
+
     /// Units of force and moment.
     pub(super) fn units(&self) -> [f64; 2] {
         let (r, b) = (self.radius.value, self.bending.value);
         [b / r / r, b / r]
     }
 
-    fn is_finite(&self) -> bool {
+    pub(super) fn is_finite(&self) -> bool {
         [self.radius, self.bending, self.ratio, self.twist, self.axial].iter().all(Sensed::is_finite)
             && self.radius.value > 0.0
             && self.bending.value > 0.0
@@ -262,6 +267,9 @@ pub(super) fn place_of(angle: HelicalAngle) -> f64 {
 impl Model {
     /// What is read off a state at a spot; `None` where there is none, or numbers run away.
     pub(super) fn readings(&self, charted: &Ply, strand: &Strand, spot: &Spot) -> Option<Readings> {
+        if spot.is_straight() {
+            return self.straight(strand, spot);
+        }
         let angle = angle_of(spot.place[0]).filter(|_| strand.is_finite())?;
         let (s, c, eps) = (angle.sin(), angle.cos(), spot.hand.sign());
         let theta = Sensed::of(angle.radians(), [(s * c, Sensed::coordinate(spot.place[0], 0))]);
@@ -313,7 +321,7 @@ impl Model {
     }
 
     /// α = EA r²/B.
-    fn axial(&self, strand: &Strand) -> Sensed {
+    pub(super) fn axial(&self, strand: &Strand) -> Sensed {
         strand.axial * strand.radius * strand.radius * strand.bending.recip()
     }
 

@@ -685,7 +685,10 @@ pub(super) fn fit() -> Value {
     let top = titled(report("Numbers of the strands, from measurements"))
         .with("balance", balance())
         .with("held", names("Columns taken as they are"))
-        .with("taken_as_zero", names("Loads in no column and not in the description"))
+        .with(
+            "taken_as_zero",
+            names("Loads in no column and not in the description, but for the moment where turns are held"),
+        )
         .with("measured", names("Columns with errors"))
         .with("estimates", list("What was estimated", estimate.open()))
         .with(

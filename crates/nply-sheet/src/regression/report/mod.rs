@@ -7,6 +7,9 @@ use serde_json::{Map, Value, json};
 use super::answer::{Estimate, FittedRow};
 use super::columns::Roles;
 use super::error::{of_signs, out_of_reach};
+use super::heading::column_named;
+use super::limp;
+use super::rows::taken_as_zero;
 use super::written::Written;
 use super::{DataColumn, Given, Measurements, Observable, Parameter, Regressed, Regression, RegressionError, Role};
 use crate::plot::Picture;
@@ -82,17 +85,16 @@ impl RegressionReport {
         may_go_on: &dyn Fn(usize) -> bool,
     ) -> Result<Self, SpecError> {
         let asked = asked(&question.estimate)?;
-        let written = Written::of(spec, &asked)?;
-        let (known, errors): (Vec<_>, Vec<_>) = errors(question)?
+        let (known, errors): (Vec<_>, Vec<_>) = errors(data, question)?
             .into_iter()
             .partition(|(name, _)| Parameter::named(name).is_some() && !data.names().contains(&name.as_str()));
-        let roles = roles(question, errors);
+        let roles = roles(data, question, errors);
+        let limp = limp::described(spec, data, &roles, &asked);
+        let spec = limp.as_ref().unwrap_or(spec);
+        let written = Written::of(spec, &asked)?;
         let mut columns = data.columns(&roles, written.sized, written.scaled)?;
         columns.extend(written.loads(spec, &columns, data.lines().len())?);
-        let assumed: Vec<Observable> = [Observable::Force, Observable::Moment]
-            .into_iter()
-            .filter(|load| columns.iter().all(|column| column.given != Given::State(*load)))
-            .collect();
+        let assumed = taken_as_zero(&columns);
         let refused = |error: RegressionError| refused(spec, data, &asked, &error);
         let regression =
             Regression::with_lines(written.model.clone(), &asked, columns, data.lines()).map_err(refused)?;
@@ -102,7 +104,8 @@ impl RegressionReport {
             regression.with_known(parameter, error).map_err(refused)
         })?;
         let regression = regression.with_starts(question.starts.unwrap_or(Regression::STARTS));
-        let answer = regression.run_while(may_go_on).map_err(refused)?;
+        let mut answer = regression.run_while(may_go_on).map_err(refused)?;
+        answer.notes.extend(limp.is_some().then(|| limp::NOTE.to_owned()));
         let units = Observable::ALL.into_iter().map(|observable| (observable, data.unit(observable).cloned()));
         Ok(Self {
             title: written.title,
@@ -131,6 +134,12 @@ impl RegressionReport {
     /// Which row of the data stands in a line.
     pub(super) fn place_of(&self, line: usize) -> Option<usize> {
         self.lines.binary_search(&line).ok()
+    }
+
+    /// The names of columns with numbers, those that are held or those that are measured.
+    fn names(&self, held: bool) -> Vec<&'static str> {
+        let of = |column: &&DataColumn| (column.role == Role::Held) == held && column.has_values();
+        self.columns().iter().filter(of).map(|column| column.given.name()).collect()
     }
 
     /// Columns that were measured.
@@ -235,7 +244,7 @@ fn asked(names: &[String]) -> Result<Vec<Parameter>, SpecError> {
 }
 
 /// `name=error`, taken apart.
-fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecError> {
+fn errors(data: &Measurements, question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecError> {
     let apart = |text: &String| {
         let wrong = || {
             let message = format!(
@@ -245,7 +254,7 @@ fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecEr
             SpecError::new(ErrorKind::Syntax, Place::Flag("error".to_owned()), message)
         };
         let (name, error) = text.split_once('=').ok_or_else(wrong)?;
-        Ok((name.trim().replace('-', "_"), error.trim().to_owned()))
+        Ok((plain_name(data, name), error.trim().to_owned()))
     };
     let errors: Vec<(String, String)> = question.errors.iter().map(apart).collect::<Result<_, _>>()?;
     for (at, (name, error)) in errors.iter().enumerate() {
@@ -258,8 +267,14 @@ fn errors(question: &RegressionQuestion) -> Result<Vec<(String, String)>, SpecEr
     Ok(errors)
 }
 
-fn roles(question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {
-    let plain = |names: &[String]| names.iter().map(|name| name.trim().replace('-', "_")).collect();
+/// A column of the data by its own name, however it is called; another word as it stands, joined as names are.
+fn plain_name(data: &Measurements, word: &str) -> String {
+    let there = column_named(word).filter(|given| data.names().contains(&given.name()));
+    there.map_or_else(|| word.trim().replace('-', "_"), |given| given.name().to_owned())
+}
+
+fn roles(data: &Measurements, question: &RegressionQuestion, errors: Vec<(String, String)>) -> Roles {
+    let plain = |names: &[String]| names.iter().map(|name| plain_name(data, name)).collect();
     Roles { measured: plain(&question.measured), held: plain(&question.held), errors }
 }
 
@@ -382,13 +397,9 @@ impl RegressionReport {
         }
         top.insert("strands".into(), json!(self.regression.model.strands()));
         top.insert("balance".into(), json!(self.regression.model.balance().name()));
-        let names = |held: bool| -> Vec<&str> {
-            let columns = self.columns().iter().filter(|column| (column.role == Role::Held) == held);
-            columns.map(|column| column.given.name()).collect()
-        };
-        top.insert("held".into(), json!(names(true)));
+        top.insert("held".into(), json!(self.names(true)));
         top.insert("taken_as_zero".into(), json!(self.assumed.iter().map(|load| load.name()).collect::<Vec<_>>()));
-        top.insert("measured".into(), json!(names(false)));
+        top.insert("measured".into(), json!(self.names(false)));
         let estimate = |estimate: &Estimate| {
             let (factor, unit) = self.si_of(estimate.parameter);
             json!({

@@ -4,8 +4,9 @@ use core::fmt::Write as _;
 
 use super::{RegressionReport, plain};
 use crate::preferred::six_digits;
+use crate::regression::Observable;
 use crate::regression::answer::Estimate;
-use crate::regression::{Observable, Role};
+use crate::regression::rows::free_loads;
 use crate::report::{Emphasis, Row, lay_out};
 
 /// Rows shown in a terminal; more are for a file.
@@ -59,16 +60,14 @@ impl RegressionReport {
 
     /// What is held and what is measured.
     fn roles(&self) -> String {
-        let of = |held: bool| {
-            let columns = self.columns().iter().filter(|column| (column.role == Role::Held) == held);
-            columns.map(|column| column.given.name().to_owned()).collect::<Vec<_>>()
-        };
-        let mut held = of(true);
+        let mut held: Vec<String> = self.names(true).into_iter().map(str::to_owned).collect();
         held.extend(self.assumed.iter().map(|load| format!("{} 0 (not given)", load.name())));
+        let free: Vec<&str> = free_loads(self.columns()).into_iter().map(Observable::name).collect();
         format!(
-            "held: {}; measured: {}",
+            "held: {}{}; measured: {}",
             if held.is_empty() { "nothing".to_owned() } else { held.join(", ") },
-            of(false).join(", ")
+            if free.is_empty() { String::new() } else { format!("; free: {}", free.join(", ")) },
+            self.names(false).join(", ")
         )
     }
 
@@ -136,7 +135,11 @@ impl RegressionReport {
             let Some(compared) = fitted.compared.iter().find(|compared| compared.observable == observable) else {
                 continue;
             };
-            let hand = if fitted.handedness == nply::Handedness::Right { "Z" } else { "S" };
+            let hand = match fitted.handedness {
+                _ if fitted.is_straight() => "–",
+                nply::Handedness::Right => "Z",
+                nply::Handedness::Left => "S",
+            };
             let parted = if fitted.interstrand_pressure < 0.0 { " (separated)" } else { "" };
             let shown = [
                 hand.to_owned(),
