@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 use nply::Handedness;
 use nply::geometry::{Contact, HelicalAngle};
-use nply::mechanics::{Balance, Ends, Load, Ply, Stability, Support, SupportedState, Twist};
+use nply::mechanics::{Balance, Ends, Holding, Load, Ply, Stability, Support, SupportedState, Twist};
 use proptest::prelude::*;
 
 use crate::common::touch::{bisect, slope, touch_at};
@@ -264,6 +264,34 @@ proptest! {
                 let g = 2.0 * strands * s.powi(3) * c + eps * strands * rho * gamma * state.strand_twist() * (2.0 * theta).cos() + rho * rho * f * s;
                 prop_assert!(g.abs() < 1e-11 * (1.0 + f) * rho * rho * strands, "{g} {state:?}");
             }
+        }
+    }
+
+    /// What is free of all contacts has the curvatures of the energy over angle and rotation, differenced: held at its rotation that along the
+    /// angle, at its length that along the rotation, and under dead loads the least there is.
+    #[test]
+    fn free_helices_have_the_curvatures_of_the_energy(given in given()) {
+        for state in given.states() {
+            let (theta, y) = (state.angle().radians(), state.rotation().abs());
+            if state.support() != Support::Free || !(0.1..1.45).contains(&theta) || y < 1e-3 { continue; }
+            let e = given.energy(state.handedness(), state.load());
+            let (h, k) = (1e-4, 1e-4 * y);
+            let at = |i: f64, j: f64| {
+                let (angle, rotation) = (theta + h * i, y + k * j);
+                e(angle, angle.sin() / rotation)
+            };
+            let aa = (at(1.0, 0.0) - 2.0 * at(0.0, 0.0) + at(-1.0, 0.0)) / (h * h);
+            let yy = (at(0.0, 1.0) - 2.0 * at(0.0, 0.0) + at(0.0, -1.0)) / (k * k);
+            let ay = (at(1.0, 1.0) - at(1.0, -1.0) - at(-1.0, 1.0) + at(-1.0, -1.0)) / (4.0 * h * k);
+            let least = 0.5 * (aa + yy) - (0.25 * (aa - yy) * (aa - yy) + ay * ay).sqrt();
+            // what differences leave of numbers of the energy's size
+            let rounding = 1e-15 * (1.0 + at(0.0, 0.0).abs() + state.load().force.abs() + state.load().moment.abs() * y);
+            let near = |got: Option<f64>, wanted: f64| {
+                (got.unwrap() - wanted).abs() < 1e-5 * (aa.abs() + yy.abs() + ay.abs()) + 4.0 * rounding / (h * h).min(k * k)
+            };
+            prop_assert!(near(state.second_variation(Holding::Rotation), aa), "{state:?} {aa}");
+            prop_assert!(near(state.second_variation(Holding::Length), yy), "{state:?} {yy}");
+            prop_assert!(near(state.second_variation(Holding::DeadLoads), least), "{state:?} {least}");
         }
     }
 
