@@ -361,3 +361,11 @@ fn a_length_of_whole_elements_is_said_where_it_is_more() {
         assert!(!said.contains("whole element"), "{said}");
     }
 }
+
+/// What is about a whole file is shown at its first table, and not at a comment above it.
+#[test]
+fn a_rope_is_refused_at_its_first_table() {
+    let refused = call(&["nodes", "examples/rope-6x7.toml"]);
+    assert_eq!(refused.code, 2, "{}", refused.err);
+    assert!(refused.err.contains("| [construction]\n"), "{}", refused.err);
+}

@@ -400,6 +400,30 @@ fn wires_that_are_turned_back() {
     assert!((per_lay - (1.0 - cos)).abs() < 2e-3 * (1.0 - cos) + 1e-4, "{per_lay} {}", 1.0 - cos);
 }
 
+/// Stresses are read beside the modulus that was given: in ksi beside Msi, in its own unit if that is none of SI, else in MPa.
+#[test]
+fn stresses_follow_the_unit_of_the_modulus() {
+    let file = text_of("examples/strand-7-wire.toml");
+    let stretch = |modulus: &str| {
+        let said = call_with(&["stiffness", "-"], file.replace("205 GPa", modulus).as_bytes()).out;
+        let row = said.lines().find(|line| line.starts_with("  from stretch")).unwrap().to_owned();
+        let cells: Vec<&str> = row.split_whitespace().collect();
+        (cells[2].to_owned(), cells[3].parse::<f64>().unwrap())
+    };
+    let (metric, mpa) = stretch("205 GPa");
+    assert_eq!(metric, "MPa");
+    // 1 psi is 6894.757 Pa, 1 kgf/mm² 9.80665 MPa
+    for (modulus, unit, size) in [
+        ("29.7327 Msi", "ksi", 6.894_757),
+        ("29732.7 ksi", "ksi", 6.894_757),
+        ("20904.2 kgf/mm^2", "kgf/mm^2", 9.80665),
+    ] {
+        let (said, value) = stretch(modulus);
+        assert_eq!(said, unit);
+        assert!((value * size / mpa - 1.0).abs() < 1e-5, "{modulus}: {value} {said}, {mpa} MPa");
+    }
+}
+
 /// How many turns are too many is said as a number: one a lay length.
 #[test]
 fn too_many_turns_are_counted() {

@@ -74,7 +74,9 @@ impl ConstructionSpec {
         let name: Arc<str> = Arc::from(file_name);
         let place = |bytes: Range<usize>| Place::in_file(&name, text, bytes);
         let document = parse(text, &place)?;
-        Self::read(document.get_ref(), text, &place, place(0..0), 0)
+        // what is about the whole is said at its first table, below any comment
+        let first = in_order(document.get_ref()).into_iter().next().map_or(0..0, |(header, _)| header.span());
+        Self::read(document.get_ref(), text, &place, place(first), 0)
     }
 
     /// The tables of a strand, of the file or of a strand within.

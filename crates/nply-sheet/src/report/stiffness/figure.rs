@@ -16,7 +16,7 @@ pub(super) enum Sort {
     Percent,
     Degrees,
     Of(Dimension),
-    /// A stress, which people read in MPa.
+    /// A stress, which people read in a unit of their own beside that of the modulus.
     Stress,
     /// Turning per length per force: a twist over a force.
     Unlay,

@@ -11,7 +11,7 @@ use figure::{Member, Whole, is_counted, members, modulus, strength_used, stress}
 
 use crate::construction::{CableCase, CableQuestion};
 use crate::preferred::six_digits;
-use crate::{Dimension, SpecError};
+use crate::{Dimension, SpecError, Unit};
 
 /// A strand or rope under its loads, told as a table, JSON or CSV.
 ///
@@ -90,6 +90,18 @@ impl StiffnessReport {
         } else {
             six_digits(value)
         }
+    }
+
+    /// The unit in which stresses are read: MPa beside moduli in GPa and the like, ksi beside those in Msi, else that of the moduli.
+    fn stress_unit(&self) -> Unit {
+        let modulus = self.case.construction.units.written(Dimension::PRESSURE);
+        let name = match modulus.map(Unit::as_str) {
+            Some("Msi" | "Mpsi") => "ksi",
+            _ if modulus.is_none_or(Unit::is_decimal) => "MPa",
+            Some(written) => written,
+            None => "Pa",
+        };
+        Unit::parse(name).unwrap_or_else(|_| Unit::si(Dimension::PRESSURE))
     }
 
     fn say(&self) -> Vec<String> {
@@ -193,7 +205,8 @@ impl StiffnessReport {
             (Some(pressure), Some(squeeze)) if squeeze > 0.0 => format!(
                 " Here {} press on it, which would make it thinner by {} % of its diameter.",
                 if self.case.construction.measured {
-                    format!("{} MPa", six_digits(1e-6 * pressure))
+                    let unit = self.stress_unit();
+                    format!("{} {unit}", six_digits(unit.of_si(pressure)))
                 } else {
                     six_digits(pressure)
                 },

@@ -120,7 +120,10 @@ impl StiffnessReport {
                 let one = length.of_si(1.0);
                 (format!("{length}²"), one * one)
             }
-            Sort::Stress => ("MPa".to_owned(), 1e-6),
+            Sort::Stress => {
+                let unit = self.stress_unit();
+                (unit.to_string(), unit.of_si(1.0))
+            }
             Sort::Of(dimension) => {
                 let unit = if stiffness {
                     construction.units.unit_by_size(dimension, largest)
