@@ -345,6 +345,10 @@ fn a_stranger_s_name_for_this_machine_is_refused() {
         "example.com@",
         "",
         "::1",
+        "[::1]example.com",
+        "[::1]:80example.com",
+        "[::1]:example.com",
+        "localhost:example",
     ] {
         let reply = served.ask_with("GET", "/", &[&format!("Host: {host}")]);
         assert!([400, 421].contains(&reply.status), "{host}: {}", reply.status);

@@ -21,8 +21,11 @@ impl Visitors {
         let mut named = request.headers().get_all(HOST).iter();
         let (Some(name), None) = (named.next(), named.next()) else { return false };
         let Ok(authority) = Authority::try_from(name.as_bytes()) else { return false };
-        // a host and a port, and nobody's name before them (RFC 9110, 7.2)
-        if authority.as_str().contains('@') {
+        // a host and a port, and nobody's name before them (RFC 9110, 7.2); the library takes any letters for a port, and behind a bracket
+        let port = authority.as_str().strip_prefix(authority.host());
+        let is_port =
+            |port: &str| port.strip_prefix(':').is_some_and(|port| port.bytes().all(|digit| digit.is_ascii_digit()));
+        if !port.is_some_and(|port| port.is_empty() || is_port(port)) {
             return false;
         }
         self == Self::Any || (is_here(authority.host()) && request.uri().host().is_none_or(is_here))
