@@ -80,7 +80,10 @@ fn a_plot_is_a_picture_numbers_or_a_preview() {
     assert!(size(&fs::read(file("a.png")).unwrap()).1 > 500);
     assert_eq!(out(&with(&sweep, &["-o", &file("a.csv")])), "");
     let csv = fs::read_to_string(file("a.csv")).unwrap();
-    assert!(csv.lines().next().unwrap().ends_with("pretwist,helical_angle_deg,interstrand_pressure"), "{csv:.120}");
+    assert!(
+        csv.lines().next().unwrap().ends_with("pretwist,pretwist_turns_per_mm,helical_angle_deg,interstrand_pressure"),
+        "{csv:.120}"
+    );
     assert!(csv.lines().any(|line| line.starts_with("2,contact,-1,")));
     // in a terminal: two panels, within its width, without colours in a pipe
     let text = out(&sweep);
