@@ -95,11 +95,10 @@ impl StiffnessReport {
     /// The unit in which stresses are read: MPa beside moduli in GPa and the like, ksi beside those in Msi, else that of the moduli.
     fn stress_unit(&self) -> Unit {
         let modulus = self.case.construction.units.written(Dimension::PRESSURE);
-        let name = match modulus.map(Unit::as_str) {
+        let name = match modulus.filter(|unit| !unit.is_decimal()).map(Unit::as_str) {
+            None => "MPa",
             Some("Msi" | "Mpsi") => "ksi",
-            _ if modulus.is_none_or(Unit::is_decimal) => "MPa",
             Some(written) => written,
-            None => "Pa",
         };
         Unit::parse(name).unwrap_or_else(|_| Unit::si(Dimension::PRESSURE))
     }
